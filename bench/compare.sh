@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # compare.sh [FRAMES]: times `twrench compare` on two folders of FRAMES frames of 1920x1080 (default
-# 1000): identical files, and frames that differ in every row, by each of its metrics. The folders
-# hold 40 frames under many names. Prints seconds, milliseconds of processor time a frame, and the
-# largest resident set in MB.
+# 1000): identical files, and frames that differ in every row, with each of its metrics. The folders
+# contain 40 frames under many names. Prints seconds, milliseconds of processor time per frame, and
+# the largest resident set in MB.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # encode.sh [--frames N] [--rounds N] [--before TWRENCH] Times "twrench encode" of 1080p PNG frames
-# and compares it with ffmpeg alone, which reads the same files and has the same settings, and with
-# another build of twrench if given; alternating in one run. Prints the medians in milliseconds per
-# frame and their ratios to ffmpeg's.
+# and compares it with ffmpeg alone, which reads the same files with the same settings, and with
+# another build of twrench if given. The programs alternate in one run. Prints the medians in
+# milliseconds per frame and their ratios to ffmpeg's.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -24,7 +24,7 @@ source bench/timing.sh
 
 render=("$twrench" render --size 1920x1080 --overwrite --progress none)
 "${render[@]}" --frames "0-$((frames - 1))" --no-video --frames-dir "$folder/frames"
-# The encoder's settings, which the manifest of a film has: those of the output begin with its
+# The encoder's settings, from the manifest of a film. The settings of the output begin with its
 # pixel format.
 "${render[@]}" --frames 0-1 --frames-dir "$folder/film" -o "$folder/film.mp4"
 read -ra settings < <(grep '"encoder"' "$folder/film/manifest.json" |

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# foreign.sh: runs the programs of examples/check on three free bodies with three step sizes each, has
-# `twrench check` judge the results, and writes the table in docs/check.md. Installs what is missing.
-# The files remain in build/foreign/runs.
+# foreign.sh: runs the programs of examples/check on three free bodies with three step sizes each, checks
+# the results with `twrench check`, and writes the table in docs/check.md. Installs missing
+# dependencies. The files remain in build/foreign/runs.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,7 +19,8 @@ npm ci --prefix "$folder" --ignore-scripts --loglevel=error
 
 # compile SOURCE PROGRAM FLAG...
 compile() { g++ -w -O2 "examples/check/$1.cpp" -o "$folder/$2" "${@:3}"; }
-# compile_with PACKAGE SOURCE PROGRAM FLAG...: with what pkg-config knows of the package.
+# compile_with PACKAGE SOURCE PROGRAM FLAG...: compiles with the flags of the package from
+# pkg-config.
 compile_with() {
   local flags
   read -ra flags <<<"$(pkg-config --cflags --libs "$1")"
@@ -49,7 +50,7 @@ def write(option, moments, omega, duration):
 
 
 inertia = twrench("inertia", "dzhanibekov")["inertia"]  # g cm^2
-moments = [inertia[i][i] / 1000 for i in range(3)]  # engines are made for numbers near 1
+moments = [inertia[i][i] / 1000 for i in range(3)]  # engines expect numbers near 1
 write("--scene=dzhanibekov", moments, [1.0, 0.05, 0.0], 96)
 kg_m2 = {"slug ft^2": 1.3558179483314004, "kg m^2": 1}
 for name in ("nasa-tumbling-brick", "gazebo-box"):
@@ -58,7 +59,8 @@ for name in ("nasa-tumbling-brick", "gazebo-box"):
     write(f"--case={name}", moments, case["omega"], case["duration"])
 END
 
-# judge NAME PROGRAM [VARIANT...]: leaves the verdicts in files that sort as these calls do.
+# judge NAME PROGRAM [VARIANT...]: writes the verdicts to files that sort in the order of these
+# calls.
 count=0
 judge() {
   local name=$1 command=("$folder/$2") step option problem stem files
@@ -131,7 +133,7 @@ def exponent(order):
 
 
 def brief(verdict):
-    """The verdict without the sizes that stand in other columns."""
+    """The verdict without the sizes, which are in other columns."""
     if verdict.startswith("off by"):
         return verdict.partition("; ")[2]
     text = verdict.partition(", as if")[0]

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# golden.sh [--program PATH] [SUITE...]: prints the table of docs/golden-images.md: how much frames of
-# one scene differ between releases of Mesa, and between OSMesa and EGL, and how much for a pose that
-# is wrong by half a degree, by each measure of `twrench compare`. Each figure is the worst of seven
-# frames of 1280x720, but for the wrong pose the best, which is what a bound must still find.
+# golden.sh [--program PATH] [SUITE...]: prints the table of docs/golden-images.md. It shows how much
+# frames of a scene differ between releases of Mesa, between OSMesa and EGL, and for a pose that is
+# wrong by half a degree, with each measure of `twrench compare`. Each figure is the largest of seven
+# frames of 1280x720; for the wrong pose it is the smallest: a bound must still detect that one.
 #
 # The suites (default: bookworm trixie testing) are installations that scripts/distros.sh left in
-# build/distros, with the program that it built from one and the same sources; PATH is another
-# program there. Everything is compared with OSMesa of the first. Needs root.
+# build/distros, with the program that it built from the same sources in each; PATH is another
+# program there. All frames are compared with those of OSMesa in the first suite. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -48,8 +48,8 @@ draw() {
   mv "$scratch" "$folder/$1-$2-$3"
 }
 
-# row KIND NAME ACTUAL LEAST: prints a row for the frames in ACTUAL; for the least difference of all
-# frames if LEAST is "least", otherwise for the largest.
+# row KIND NAME ACTUAL LEAST: prints a row for the frames in ACTUAL; with the least difference of
+# all frames if LEAST is "least", otherwise with the largest.
 row() {
   local expected=$folder/${suites[0]}-osmesa-0.0/$1 options
   for options in "--threshold 8" "--threshold 8 --edges 1" "--metric ssim"; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# integrators.sh [ROUNDS]: compares the CPU time of our integrators with other libraries' in one
-# program, then times the hot functions individually. Installs what is missing. More rounds give
+# integrators.sh [ROUNDS]: compares the CPU time of our integrators with that of other libraries in one
+# program, then times the hot functions individually. Installs missing dependencies. More rounds give
 # steadier results.
 set -euo pipefail
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# memory.sh [FRAMES]: measures the memory use of a render, in MB of resident set: whether it stays
-# constant, from frame 500 to the last of FRAMES (default 10000) small frames, with and without PNG
-# files, and when these are encoded; and the peak at 1080p and 4K, of twrench and of the encoder.
+# memory.sh [FRAMES]: measures the memory use of a render, in MB of resident set. It checks whether the
+# use stays constant from frame 500 to the last of FRAMES (default 10000) small frames, with and without
+# PNG files, and when these are encoded; and prints the peaks of twrench and of the encoder at 1080p and
+# 4K.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

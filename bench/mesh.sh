@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # mesh.sh [SQUARES]: times `twrench inertia` on a binary STL file of 12 SQUARES^2 triangles (default
-# 289, for 10^6) beside ADMesh, then shows the errors of the asteroid Toutatis's volume and moments,
-# here and far from the origin, beside MuJoCo's. Installs what is missing.
+# 289, for 10^6) and ADMesh, then prints the errors of the asteroid Toutatis's volume and moments, near
+# and far from the origin, of twrench and of MuJoCo. Installs missing dependencies.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -59,13 +59,14 @@ printf '%-24s %8s %8s %8s\n' "$((12 * squares * squares)) triangles" s "s (CPU)"
 timed "twrench inertia" "$twrench" inertia "$folder/cube.stl" --unit mm
 timed ADMesh admesh "$folder/cube.stl"
 
-# errors DISTANCE: of a body that lies so many km from the origin.
+# errors DISTANCE: prints the errors for a body at that distance from the origin, in km.
 errors() {
   python3 - "$1" "$folder" "$twrench" <<'END'
 import json, pathlib, subprocess, sys
 
 distance, folder, twrench = float(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
-# By rational arithmetic. Far away the coordinates themselves are rounded, by 1e-16 of the distance.
+# Exact values by rational arithmetic. Far away the coordinates themselves are rounded, by 1e-16 of
+# the distance.
 exact_volume, exact_moments = 7.6988168847477665, (2.861959401240807, 8.623292414962608,
                                                    9.129415281983114)
 lines = []
@@ -83,7 +84,7 @@ found = json.loads(subprocess.check_output(
     [twrench, "inertia", folder / "body.obj", "--unit", "cm", "--format", "json"]))
 ours = [found["volume"], *found["principal_moments"]]
 theirs = sorted(map(float, subprocess.check_output([folder / "mujoco", folder / "body.xml"]).split()))
-theirs = [theirs[1], theirs[0], *theirs[2:]]  # the mass lies between two moments
+theirs = [theirs[1], theirs[0], *theirs[2:]]  # put the mass between two moments
 for name, values in (("twrench", ours), ("MuJoCo", theirs)):
     volume = abs(values[0] / exact_volume - 1)
     moments = max(abs(a - b) for a, b in zip(values[1:], exact_moments)) / exact_moments[2]

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Times the Python module beside what it stands on and what it stands in for.
+"""Compares the time of the Python module with that of C++ and of SciPy.
 
 bench/python.py [C++ PROGRAM]: needs the module in PYTHONPATH, and SciPy. The C++ program is that of
-bench/exact_samples.cpp, which makes the same arrays without Python.
+bench/motion/exact_samples.cpp, which makes the same arrays without Python.
 """
 
 from __future__ import annotations
@@ -50,7 +50,8 @@ def compare_with_scipy() -> None:
     times = np.linspace(0, 96, 5761)
     ours = median_seconds(lambda: twrench.simulate(BODY, OMEGA, times), 21)
     theirs = median_seconds(lambda: usual_script(times), 5)
-    # Taylor series of the finest tolerance, an independent method, as the measure of both errors.
+    # The reference for both errors: the Taylor series with the finest tolerance, an independent
+    # method.
     truth = twrench.simulate(BODY, OMEGA, times, "taylor", tolerance=1e-15).X
     our_error = np.abs(twrench.simulate(BODY, OMEGA, times).X - truth).max()
     their_error = np.abs(usual_script(times) - truth).max()

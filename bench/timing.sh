@@ -1,6 +1,6 @@
-# Sourced by the scripts that compare programs: times commands, and reduces the times of several
-# rounds to medians. $times is the file of the times.
-# shellcheck shell=bash disable=SC2154
+# For scripts that compare programs, which source this file: times commands, and reduces the times
+# of several rounds to medians. $times is the file of the times. shellcheck shell=bash
+# disable=SC2154
 
 # timed NAME FRAMES COMMAND...: adds a line with the wall and processor time per frame in ms.
 timed() {

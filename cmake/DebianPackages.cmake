@@ -1,10 +1,10 @@
-# Debian's packages, which cpack makes of the installed components; scripts/package.sh does all of it.
-# On the libraries to which the program is linked they depend by dpkg-shlibdeps. What it loads or
-# starts when it runs is written down here, by the same rule for every release.
+# Debian packages, which cpack makes from the installed components; scripts/package.sh runs all steps. dpkg-shlibdeps
+# finds the dependencies on linked libraries. Libraries and programs that are loaded or started at run time are listed
+# here, by the same rule for every release.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-# Each package has a synopsis of its own.
+# Each package has its own synopsis.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
@@ -15,13 +15,13 @@ set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/finish.cmake)
 set(CPACK_TWRENCH_STRIP ${CMAKE_STRIP})
 set(CPACK_TWRENCH_FOLDER ${PROJECT_SOURCE_DIR})
 
-# Where Mesa dropped OSMesa, its EGL draws as well without a screen. Until Mesa 24 its drivers were in
-# a package of their own, on which EGL does not depend.
+# If Mesa no longer has OSMesa, its EGL also draws without a screen. Until Mesa 24 the drivers were in a separate
+# package, on which EGL does not depend.
 string(JOIN ", " opengl
   libegl1 libegl-mesa0 "mesa-libgallium | libgl1-mesa-dri" "libosmesa6 | libegl-mesa0 (>= 25.1~)")
 
-# twrench_package(COMPONENT NAME <package> SECTION ... DEPENDS ... [RECOMMENDS ...] SYNOPSIS ...
-# DESCRIPTION ...): the component is the package NAME.
+# twrench_package(COMPONENT NAME <package> SECTION ... DEPENDS ... [RECOMMENDS ...] SYNOPSIS ... DESCRIPTION ...): makes
+# the package NAME of the component.
 macro(twrench_package component)
   cmake_parse_arguments(ARG "" "NAME;SECTION;DEPENDS;RECOMMENDS;SYNOPSIS;DESCRIPTION" "" ${ARGN})
   string(TOUPPER ${component} upper)
@@ -61,7 +61,7 @@ This package has the headers, the static library, and the files by which CMake
 (find_package) and pkg-config find them.")
 
 if(TWRENCH_PYTHON)
-  # A module is compiled for one minor version of Python, by find_package(Python).
+  # The module is compiled for a single minor version of Python, that of find_package(Python).
   math(EXPR next_python "${Python_VERSION_MINOR} + 1")
   twrench_package(python NAME python3-twrench SECTION python
     DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy, ${opengl}"

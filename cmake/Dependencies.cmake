@@ -1,6 +1,5 @@
-# Every library and file that the build takes from the system. What is missing is collected and
-# reported in one message that lists the packages of Debian, Fedora and Arch, and the CMake variable
-# for a copy elsewhere (docs/platforms.md).
+# Every library and file that the build takes from the system. Missing ones are collected and reported in one message
+# that lists the packages of Debian, Fedora and Arch, and the CMake variable for a copy elsewhere (docs/platforms.md).
 
 # The oldest compilers that support the C++20 features in use.
 foreach(oldest "GNU 12" "Clang 14")

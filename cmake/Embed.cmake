@@ -1,7 +1,6 @@
-# twrench_embed(TARGET NAME FILES ...): embeds files in TARGET, accessible at run time through the
-# generated header "embedded/NAME.h": twrench::embedded::NAME("file.ext") -> string_view. The
-# assembler includes the bytes (.incbin), so that large assets cost no compile time. %progbits,
-# because on 32-bit Arm an @ begins a comment.
+# twrench_embed(TARGET NAME FILES ...): embeds files in TARGET, accessible at run time through the generated header
+# "embedded/NAME.h": twrench::embedded::NAME("file.ext") -> string_view. The assembler includes the bytes (.incbin), so
+# that large assets cost no compile time. The section type is %progbits, because on 32-bit Arm an @ begins a comment.
 
 function(twrench_embed target name)
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/embedded)
@@ -46,7 +45,7 @@ const std::map<std::string_view, std::string_view>& @name@() {
 }
 }
 ")
-  # Not in a unity build, whose files do not depend on what one of them embeds.
+  # Not in a unity build, whose files do not depend on embedded files.
   set_source_files_properties(${dir}/${name}.cpp PROPERTIES
     OBJECT_DEPENDS "${paths}" SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${dir}/${name}.cpp)

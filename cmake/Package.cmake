@@ -1,5 +1,5 @@
-# Installs the library of the dynamics, for find_package(twrench) and for pkg-config, the scenes and
-# the licences. What no install() assigns to a component belongs to that of the program.
+# Installs the library of the dynamics, for find_package(twrench) and for pkg-config, the scenes and the licences. Files
+# without a component in install() belong to that of the program.
 
 include(CMakePackageConfigHelpers)
 
@@ -12,8 +12,7 @@ install(EXPORT twrench NAMESPACE twrench:: FILE twrenchTargets.cmake DESTINATION
   COMPONENT development)
 configure_package_config_file(cmake/twrenchConfig.cmake.in twrenchConfig.cmake
   INSTALL_DESTINATION ${package})
-# Until 1.0 a minor version may change the interface.
-write_basic_package_version_file(twrenchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(twrenchConfigVersion.cmake COMPATIBILITY ${TWRENCH_COMPATIBILITY})
 install(FILES ${PROJECT_BINARY_DIR}/twrenchConfig.cmake ${PROJECT_BINARY_DIR}/twrenchConfigVersion.cmake
   DESTINATION ${package} COMPONENT development)
 
@@ -23,12 +22,12 @@ install(FILES ${PROJECT_BINARY_DIR}/twrench.pc DESTINATION ${CMAKE_INSTALL_LIBDI
   COMPONENT development)
 
 if(TWRENCH_RENDER)
-  # The program has them built in; these are to read, and to begin one's own with.
+  # The scenes are built into the program; these copies are examples for new scenes.
   install(DIRECTORY assets/scenes assets/cases DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 endif()
 install(FILES LICENSE THIRD-PARTY.md TYPE DOC)
 
-# The packages are of the static library.
+# The packages contain the static library.
 if(TWRENCH_RENDER AND NOT BUILD_SHARED_LIBS)
   include(cmake/DebianPackages.cmake)
 endif()

@@ -1,4 +1,4 @@
-# What the program needs beyond the library of the dynamics (TWRENCH_RENDER).
+# The dependencies of the program beyond those of the library of the dynamics (TWRENCH_RENDER).
 
 find_package(Threads REQUIRED)
 
@@ -60,7 +60,7 @@ twrench_header(GL_INCLUDE_DIR GL/glcorearb.h "OpenGL's headers"
 twrench_header(EGL_INCLUDE_DIR EGL/eglext.h "EGL's headers"
   DEBIAN libegl-dev FEDORA libglvnd-devel ARCH libglvnd)
 
-# The Python of the system, whose packages the set-up installs, unless another is given.
+# By default the Python of the system: scripts/setup.sh installs packages for it.
 if(TWRENCH_PYTHON)
   find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
   find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module)

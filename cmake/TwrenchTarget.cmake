@@ -3,34 +3,33 @@
 set(TWRENCH_SANITIZE "" CACHE STRING "Sanitizers for our code, as -fsanitize= takes them")
 
 add_library(twrench_options INTERFACE)
-# Without contraction of a*b + c, results are bit-identical on processors with and without fused
-# multiply-add, and do not depend on where the compiler would use it.
+# Without contraction of a*b + c, results are bit-identical on processors with and without fused multiply-add, and do
+# not depend on where the compiler would use that instruction.
 target_compile_options(twrench_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 target_include_directories(twrench_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
-# Some releases' HarfBuzz brings this flag to what links it. Precompiled headers serve all targets
-# only if all have it.
+# In some releases HarfBuzz adds this flag to the targets that link it. All targets have it, because they can share
+# precompiled headers only with the same flags.
 if(TWRENCH_RENDER)
   target_compile_options(twrench_options INTERFACE -pthread)
 endif()
 if(TWRENCH_SANITIZE)
   target_compile_options(twrench_options INTERFACE
     -fsanitize=${TWRENCH_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  # What these would find stops under AddressSanitizer as well, and they are a quarter of the time
-  # that compiling takes.
+  # AddressSanitizer also detects what these checks would find, and they take a quarter of the compile time.
   target_compile_options(twrench_options INTERFACE -fno-sanitize=null,object-size,vptr)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # The sanitizers' code makes these warnings of the optimiser false: they are for the other builds.
+    # The sanitizers' code causes false warnings of the optimiser, so these are enabled only in other builds.
     target_compile_options(twrench_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized
       -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
   target_link_options(twrench_options INTERFACE -fsanitize=${TWRENCH_SANITIZE})
 endif()
 
-# Compiled sixteen at a time (CMAKE_UNITY_BUILD, in the presets), the sources of a target take a third
-# of the time: templates are instantiated once. Helpers of one target therefore need names of their own.
-# Large headers are half of the compile time of what remains, so they are precompiled. Each source still
-# includes what it uses (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+# Compiled sixteen at a time (CMAKE_UNITY_BUILD, in the presets), the sources of a target take a third of the time:
+# templates are instantiated once. Helpers of a target therefore need distinct names. Large headers take half of the
+# remaining compile time, so they are precompiled. Each source still includes what it uses
+# (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
 if(TWRENCH_RENDER)
   add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
@@ -45,7 +44,7 @@ endif()
 function(twrench_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
   add_library(twrench_${name} STATIC ${ARG_SOURCES})
-  # The Python module is a shared library that holds them all.
+  # The Python module is a shared library that contains all of them.
   set_target_properties(twrench_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:twrench_options>)

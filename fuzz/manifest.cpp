@@ -1,4 +1,4 @@
-// Manifests: what --resume and encode read.
+// Manifests, as read by --resume and encode.
 #include "video/manifest.h"
 
 #include <string_view>

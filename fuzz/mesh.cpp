@@ -1,4 +1,4 @@
-// Meshes in all their formats. The first byte says what the file is called.
+// Meshes in all formats. The first byte selects the name of the file.
 #include <twrench/base/error.h>
 
 #include <array>

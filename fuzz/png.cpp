@@ -18,11 +18,11 @@ std::uint32_t big_endian(const std::uint8_t* bytes) {
          std::uint32_t{bytes[2]} << 8U | bytes[3];
 }
 
-/// Returns the file with correct chunk checksums: otherwise a mutation is rejected for those, and
-/// the code behind them is not tested.
+/// Returns the file with correct chunk checksums. Otherwise the reader would reject a mutation by
+/// its checksum, and later code would not be tested.
 std::vector<std::uint8_t> with_checksums(const std::uint8_t* data, std::size_t size) {
   std::vector<std::uint8_t> file(data, data + size);
-  constexpr std::size_t signature = 8, around_data = 12;  // length and type before, checksum behind
+  constexpr std::size_t signature = 8, around_data = 12;  // length and type before, checksum after
   for (std::size_t at = signature; at + around_data <= size;) {
     const std::size_t length = big_endian(&file[at]);
     if (length > size - at - around_data) break;

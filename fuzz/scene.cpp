@@ -1,4 +1,4 @@
-// Scene files, and what is computed from a scene before drawing.
+// Scene files, and the values computed from a scene before drawing.
 #include "scene/scene.h"
 
 #include <twrench/base/error.h>
@@ -19,7 +19,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     scene::scene_json(scene).dump();
     scene::input_files(scene);
   } catch (const InvalidArgument&) {
-  } catch (const system::FileError&) {  // a mesh that it names
+  } catch (const system::FileError&) {  // the scene names a missing mesh
   }
   return 0;
 }

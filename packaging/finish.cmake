@@ -1,5 +1,5 @@
-# Run by cpack between the installation of a component and its packing: adds what Debian asks of a
-# package, and makes the same bytes of it wherever and whenever it is built (SOURCE_DATE_EPOCH).
+# cpack runs this between the installation of a component and its packing. It adds the files that Debian requires in a
+# package, and makes the package reproducible (SOURCE_DATE_EPOCH).
 
 set(here ${CPACK_TWRENCH_FOLDER}/packaging)
 
@@ -7,7 +7,7 @@ function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# As dh_strip does it.
+# Like dh_strip.
 function(strip_debris root)
   set(debris --remove-section=.comment --remove-section=.note)
   file(GLOB programs ${root}/usr/bin/*)
@@ -42,7 +42,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   set(root ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/${component})
   strip_debris(${root})
   add_documents(${root} ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
-  # Whatever the umask is, and whatever the modes of a checkout are.
+  # Independent of the umask and of the modes in the checkout.
   run(chmod -R u=rwX,go=rX ${root})
 endforeach()
 string(TIMESTAMP epoch "%s" UTC)

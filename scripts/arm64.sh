@@ -14,6 +14,6 @@ programs=(
 scripts/setup.sh arm64
 scripts/build.sh --tests arm64 "${programs[@]}" twrench
 # The two excluded tests compare thousands of motions with series in `long double`, whose 113 bits
-# are emulated in software: hours in the emulator. The 25-digit references are tested all the same.
+# are emulated in software: hours in the emulator. The 25-digit references are still tested.
 exec ctest --test-dir build/arm64 --output-on-failure --no-tests=error --parallel "$(nproc)" \
   --exclude-regex 'NOT_BUILT|AgreesWithTaylorSeries(ForRandomBodies|AfterAThousandTurns)'

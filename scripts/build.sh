@@ -16,11 +16,11 @@ targets=("${@:-all}")
 dir=build/$preset
 cache=$dir/CMakeCache.txt
 
-# Once the tests have been configured they stay so: building only the program and building the tests
-# share one folder and must not undo each other's configuration.
-# A folder configured elsewhere (the sources were moved or copied) is configured again.
+# Tests stay configured once they are. Building the program alone and building the tests share a
+# folder and must not undo each other's configuration. A folder that was configured for another
+# location (because the sources were moved or copied) is configured again.
 in_cache() { grep -qsxF "$1" "$cache"; }
-# The Python module belongs to what the tests of the release test.
+# The tests of the release also test the Python module.
 options=(--preset "$preset" -DBUILD_TESTING="$tests")
 [[ $tests == OFF || $preset != release ]] || options+=(-DTWRENCH_PYTHON=ON)
 if [[ ! -f $dir/build.ninja ]] || ! in_cache "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"; then
@@ -29,7 +29,7 @@ elif [[ $tests == ON ]] && ! in_cache BUILD_TESTING:BOOL=ON; then
   configure=(cmake "${options[@]}")
 else
   configure=()
-  # A dry run that would first have to configure prints something else.
+  # A dry run prints something else if it would first configure.
   if [[ $(ninja -C "$dir" -n "${targets[@]}" | tail -n 1) == "ninja: no work to do." ]]; then
     exit 0
   fi

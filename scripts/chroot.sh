@@ -1,11 +1,10 @@
-# shellcheck shell=bash
-# For the scripts beside it, which source it after common.sh: bare installations of Debian, and
-# commands in them.
+# shellcheck shell=bash Bare installations of Debian, and commands in them. Other scripts source
+# this file after common.sh.
 
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 place=$PWD/build/distros # of installations, logs and downloaded packages
 
-# reason_against_roots: prints why no installation can be made here; nothing if one can.
+# reason_against_roots: prints why no installation can be made here, or nothing if one can.
 reason_against_roots() {
   if ((EUID != 0)); then
     echo "only root can make an installation of Debian"
@@ -16,11 +15,12 @@ reason_against_roots() {
 
 # The process that isolated() runs, while it runs.
 isolated_process=''
-# The standard error of this script, also while that of a command goes to a log.
+# A copy of the standard error of this script, for use while a command logs its own.
 exec {own_errors}>&2
 
-# isolated COMMAND...: runs the command in separate namespaces for mounts and processes. They end
-# with the command and with this script, however it ends, so that nothing stays mounted or running.
+# isolated COMMAND...: runs the command in separate namespaces for mounts and processes. The
+# namespaces end with the command and with this script, however it ends, so that nothing stays
+# mounted or running.
 isolated() {
   local status=0
   # bash starts background processes with these signals ignored, which tests of signals would inherit.
@@ -60,9 +60,9 @@ make_root() {
   cp /etc/resolv.conf "$1/etc/resolv.conf"
   # A mirror that is a few days behind still serves its packages.
   echo 'Acquire::Check-Valid-Until "false";' >"$1/etc/apt/apt.conf.d/90mirror"
-  # It need not survive a power cut.
+  # The installation need not survive a power cut.
   echo force-unsafe-io >"$1/etc/dpkg/dpkg.cfg.d/90speed"
-  # As on any real system: netbase would write it, and leave it.
+  # As on any real system. Otherwise netbase would write the file and leave it behind.
   echo '127.0.0.1 localhost' >"$1/etc/hosts"
   chroot "$1" useradd --create-home --shell /bin/bash someone
 }
@@ -77,7 +77,7 @@ put_sources() {
 # mount namespace, not only of a process, so that the tests can create their own namespaces.
 inside() {
   # The shell must not be replaced by su: executing a program that sets user IDs would clear the
-  # signal by which --kill-child ends it.
+  # signal with which --kill-child ends it.
   ROOT=$1 AS=$2 COMMAND=$3 isolated bash -euc '
     mount --bind "$ROOT" "$ROOT"
     mount --rbind /dev "$ROOT/dev"

@@ -1,5 +1,4 @@
-# shellcheck shell=bash
-# For the scripts beside it, which source it: messages, and where they may write.
+# shellcheck shell=bash Messages, and checks of writable folders. Other scripts source this file.
 
 say() { printf 'twrench: %s\n' "$*" >&2; }
 die() {

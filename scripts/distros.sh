@@ -31,8 +31,8 @@ scripts/setup.sh distros
 suites=("$@")
 ((${#suites[@]})) || suites=(bookworm trixie testing arm64)
 
-# timed LOG ROOT USER COMMAND: runs the command and sets `took` to the seconds, or to "failed". Not in
-# a subshell, where it could not be interrupted.
+# timed LOG ROOT USER COMMAND: runs the command and sets `took` to the seconds, or to "failed". Do
+# not call it in a subshell, where it could not be interrupted.
 timed() {
   local start=$SECONDS
   took=failed
@@ -59,7 +59,7 @@ counts() {
     sed "s/\$/, $skipped skipped/"
 }
 
-# try_commands SUITE ROOT: both commands, each in its own way a first time; sets `film` and `tests`.
+# try_commands SUITE ROOT: runs both commands, each for the first time; sets `film` and `tests`.
 try_commands() {
   say "$1: scripts/render.sh as root, in a bare installation"
   make_root "$2" "$1"

@@ -12,6 +12,6 @@ scripts/setup.sh tidy
 scripts/build.sh fuzz "fuzz_$target"
 grown=build/fuzz/corpus/$target
 mkdir -p "$grown"
-# Scenes allocate memory in proportion to what they ask for: at most this much for any input.
+# The memory of a scene is proportional to the sizes in it. No input may use more than this.
 exec "build/fuzz/bin/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 \
   -max_len=8192 -print_final_stats=1 -artifact_prefix="build/fuzz/$target-" "$grown" "fuzz/corpus/$target"

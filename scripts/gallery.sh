@@ -16,7 +16,11 @@ picture() {
     "docs/images/$name.jpg"
 }
 
-# Each line of the gallery that begins with this comment is one picture.
+# Each line of the gallery that begins with this comment describes a picture.
 sed -n 's/^<!-- picture \(.*\) -->$/\1/p' docs/gallery.md | while read -r -a words; do
   picture "${words[@]}" </dev/null
 done
+
+# The moving picture of the README.
+"$program" render --size 640x360 --theme space --duration 23.6 --speed 4 --fps 15 --hide hud \
+  -o docs/images/flip.gif --no-frames --overwrite --progress none

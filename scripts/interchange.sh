@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Holds what twrench exports against programs that others wrote: Khronos' glTF validator, three.js
-# and, where it is installed, Blender.
+# Tests files exported by twrench with other programs: Khronos' glTF validator, three.js and, if it is
+# installed, Blender.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-# A Node.js that is not Debian's serves as well.
+# Any installed Node.js will do.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then scripts/setup.sh interchange; fi
 scripts/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench
 require_writable build
 
-# Programs of npm are installed beside the scripts that use them.
+# npm installs programs beside the scripts that use them.
 at=$PWD/build/interchange out=$PWD/build/interchange/out
 rm -rf "$out" && mkdir -p "$out"
 cp tests/interchange/{*.mjs,*.py,package.json,package-lock.json,.npmrc} "$at"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# kill_test.sh [N]: kills a small render with SIGKILL at N (100) points in time, as reproducible as
-# a clock allows, and resumes it with --resume each time. After each kill every existing frame must
+# kill_test.sh [N]: kills a small render with SIGKILL at N (100) points in time, as reproducibly as
+# a clock allows, and continues it with --resume each time. After each kill every existing frame must
 # match an undisturbed run's, and after each run that finishes the video must decode to the same
 # frames; then it starts over.
 set -euo pipefail

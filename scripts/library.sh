@@ -1,37 +1,63 @@
 #!/usr/bin/env bash
 # library.sh: builds the library of the dynamics alone, static and shared, and tests it; installs it
-# to a folder of its own; and builds and runs examples/cpp against what was installed, through
+# to a separate folder; and builds and runs examples/cpp with the installed library, through
 # find_package and through pkg-config. It also links tests/library/consumer.cpp, compiled with other
-# flags than the library, and tests/library/bad_input.cpp. Projects that contain the sources build the
-# examples, too, with g++ and with clang++.
+# flags than the library, and tests/library/bad_input.cpp. Projects that contain the sources also build
+# the examples, with g++ and with clang++. Finally it compares the binary interface of the shared
+# library with packaging/abi.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
-scripts/setup.sh test
+scripts/setup.sh check
 
 # expect_line TEXT FILE
 expect_line() {
   grep -qF -- "$1" "$2" || die "$2 does not say '$1'" "it says: $(tail -n 3 "$2")"
 }
 
-# run_examples FOLDER: runs the programs of examples/cpp that are in the folder.
-run_examples() {
-  "$1/flip_time" >"$1/flip_time.log"
-  expect_line "integrated  11.815363 s" "$1/flip_time.log"
-  expect_line "exact       11.815363 s" "$1/flip_time.log"
-  "$1/order" rkmk4 >"$1/order.log"
-  expect_line "mass 252.584 g" "$1/order.log"
-  expect_line "order 3.97" "$1/order.log"
-  # The error is thrown in the library and caught in the program.
-  ! "$1/order" rkmk5 >/dev/null 2>"$1/order.err" || die "$1/order accepted a method that is none"
-  expect_line "method: unknown name 'rkmk5'" "$1/order.err"
+examples='flip_time engineer game plot'
+
+# same_numbers FILE EXPECTED: checks that both have the same words, and numbers within 1e-13 max(1,
+# |x|).
+same_numbers() {
+  awk 'function is_number(x) { return x ~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/ }
+       function size(x) { return x < 0 ? -x : x }
+       { gsub(/,/, " ,") }
+       NR == FNR { expected[++count] = $0; next }
+       { if (split(expected[FNR], word) != NF) exit 1
+         for (i = 1; i <= NF; ++i) {
+           bound = 1e-13 * (size(word[i]) > 1 ? size(word[i]) : 1)
+           if (is_number($i) && is_number(word[i]) ? size($i - word[i]) > bound : $i "" != word[i] "") exit 1
+         } }
+       END { if (FNR != count) exit 1 }' "$2" "$1" ||
+    die "$1 differs from $2 by more than 1e-13" "compare them"
 }
 
-# check_exports PREFIX LOG: the shared library exports what the headers declare, and nothing else;
-# twrench.h includes all other headers.
+# run_examples FOLDER: runs the programs of examples/cpp that are in the folder.
+run_examples() {
+  local example
+  for example in $examples; do
+    # shellcheck disable=SC2046 # arguments
+    "$1/$example" $([[ $example != engineer ]] || echo rk4 rkmk4) >"$1/$example.log"
+    same_numbers "$1/$example.log" "tests/library/$example.txt"
+  done
+  # The error is thrown in the library and caught in the program.
+  ! "$1/engineer" rkmk5 >/dev/null 2>"$1/engineer.err" || die "$1/engineer accepted a method that is none"
+  expect_line "method: unknown name 'rkmk5'" "$1/engineer.err"
+}
+
+# names_of FILE: prints the unqualified names of the functions and variables that nm -C lists in the
+# file.
+names_of() {
+  sed 's/^[^:]* twrench::/twrench::/; s/\[abi:[a-z0-9]*\]//; s/(.*//; s/.*:://; s/^~//' "$1" | sort -u
+}
+
+# check_exports PREFIX LOG: checks that the shared library exports only names that the headers
+# declare, and that twrench.h includes all other headers. bad_input.cpp tries every function that a
+# program can call with bad arguments.
 check_exports() {
-  local name
+  local name private='Error|Propagator|component|momentum|quoted|root|set_start|method_names'
   nm -DC --defined-only "$1/lib/libtwrench-dynamics.so" | grep -v ' A ' >"$2"
   ! grep -v ' twrench::\|for twrench::' "$2" >&2 ||
     die "the shared library exports symbols that are not its own" "see src/dynamics.map"
@@ -40,52 +66,65 @@ check_exports() {
   while read -r name; do
     grep -rqw -- "$name" "$1/include/twrench" ||
       die "the shared library exports $name, which no header declares" "see src/dynamics.map"
-  done < <(sed 's/^[^:]* twrench::/twrench::/; s/\[abi:[a-z0-9]*\]//; s/(.*//; s/.*:://; s/^~//' "$2" | sort -u)
+  done < <(names_of "$2")
+  while read -r name; do
+    grep -qw -- "$name" tests/library/bad_input.cpp ||
+      die "tests/library/bad_input.cpp does not try $name with bad arguments"
+  done < <(grep -v '()' "$2" >"$2.arguments" && names_of "$2.arguments" | grep -vxE "$private")
   for name in "$1"/include/twrench/*/*.h; do
-    [[ $name != */math/elliptic.h ]] || continue # no part of the interface
     grep -qF "<twrench/${name#"$1"/include/twrench/}>" "$1/include/twrench/twrench.h" ||
       die "twrench/twrench.h does not include $name"
   done
 }
 
-# use_sources FOLDER COMPILER SHARED: builds and runs examples/cpp as a project that contains this one,
-# by add_subdirectory and by FetchContent from this folder.
-use_sources() {
-  local way
-  for way in add_subdirectory FetchContent; do
-    rm -rf "${1:?}/$way"
-    mkdir -p "$1/$way"
-    {
-      printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(contains LANGUAGES CXX)' 'include(CTest)'
-      if [[ $way == add_subdirectory ]]; then
-        echo "add_subdirectory($PWD twrench)"
-      else
-        printf '%s\n' 'include(FetchContent)' "FetchContent_Declare(twrench SOURCE_DIR $PWD)" \
-          'FetchContent_MakeAvailable(twrench)'
-      fi
-      for example in flip_time order; do
-        printf '%s\n' "add_executable($example $PWD/examples/cpp/$example.cpp)" \
-          "target_link_libraries($example PRIVATE twrench::dynamics)"
-      done
-      # No folder of the library's sources, and none of its flags, is for the program.
-      # shellcheck disable=SC2016 # expanded by CMake
-      printf '%s\n' 'get_target_property(folders twrench::dynamics INTERFACE_INCLUDE_DIRECTORIES)' \
-        'get_target_property(options twrench::dynamics INTERFACE_COMPILE_OPTIONS)' \
-        "if(folders MATCHES \"$PWD/src\" OR options)" '  message(FATAL_ERROR "${folders} ${options}")' 'endif()'
-    } >"$1/$way/CMakeLists.txt"
-    cmake -S "$1/$way" -B "$1/$way/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$2" \
-      -DBUILD_SHARED_LIBS="$3" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 >/dev/null
-    cmake --build "$1/$way/build"
-    run_examples "$1/$way/build"
-    [[ $(ctest --test-dir "$1/$way/build" -N | tail -n 1) == "Total Tests: 0" ]] ||
-      die "a project that contains the library gains its tests"
-    cmake --install "$1/$way/build" --prefix "$1/$way/installed" >/dev/null
-    [[ -z $(find "$1/$way/installed" -type f 2>/dev/null) ]] ||
-      die "a project that contains the library installs it"
-  done
+# check_interface LIBRARY: checks that the binary interface of the shared library equals that in
+# packaging/abi: the exported functions, and the layout of the types that they use. The library must
+# have debug information.
+check_interface() {
+  local now=build/library/dynamics.abi
+  abidw --exported-interfaces-only --suppressions packaging/abi/suppressions.ini --headers-dir include \
+    --drop-private-types --no-corpus-path --no-comp-dir-path --no-show-locs --no-parameter-names \
+    --no-elf-needed --type-id-style hash "$1" | sed "s, path='[^']*/, path='," >"$now"
+  abidiff packaging/abi/dynamics.abi "$now" ||
+    die "the binary interface of the shared library has changed" \
+      "restore it; or, where a new version may change it, copy $now to packaging/abi"
 }
 
-# find_component NAME FOLDER: a project in FOLDER that looks for a component of twrench.
+# use_sources FOLDER COMPILER SHARED WAY: builds and runs examples/cpp as a project that contains this
+# one, by add_subdirectory or by FetchContent from this folder. Optimisation is off, to compile
+# faster.
+use_sources() {
+  rm -rf "${1:?}"
+  mkdir -p "$1"
+  {
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(contains LANGUAGES CXX)' 'include(CTest)'
+    if [[ $4 == add_subdirectory ]]; then
+      echo "add_subdirectory($PWD twrench)"
+    else
+      printf '%s\n' 'include(FetchContent)' "FetchContent_Declare(twrench SOURCE_DIR $PWD)" \
+        'FetchContent_MakeAvailable(twrench)'
+    fi
+    for example in $examples; do
+      printf '%s\n' "add_executable($example $PWD/examples/cpp/$example.cpp)" \
+        "target_link_libraries($example PRIVATE twrench::dynamics)"
+    done
+    # The program must not inherit the source folders or the flags of the library. shellcheck
+    # disable=SC2016 # expanded by CMake
+    printf '%s\n' 'get_target_property(folders twrench::dynamics INTERFACE_INCLUDE_DIRECTORIES)' \
+      'get_target_property(options twrench::dynamics INTERFACE_COMPILE_OPTIONS)' \
+      "if(folders MATCHES \"$PWD/src\" OR options)" '  message(FATAL_ERROR "${folders} ${options}")' 'endif()'
+  } >"$1/CMakeLists.txt"
+  cmake -S "$1" -B "$1/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$2" \
+    -DBUILD_SHARED_LIBS="$3" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 >/dev/null
+  cmake --build "$1/build"
+  run_examples "$1/build"
+  [[ $(ctest --test-dir "$1/build" -N | tail -n 1) == "Total Tests: 0" ]] ||
+    die "a project that contains the library gains its tests"
+  cmake --install "$1/build" --prefix "$1/installed" >/dev/null
+  [[ -z $(find "$1/installed" -type f 2>/dev/null) ]] || die "a project that contains the library installs it"
+}
+
+# find_component NAME FOLDER: configures a project in FOLDER that looks for a component of twrench.
 find_component() {
   mkdir -p "$2"
   printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(finds LANGUAGES CXX)' \
@@ -93,54 +132,57 @@ find_component() {
   cmake -S "$2" -B "$2/build" -DCMAKE_PREFIX_PATH="$build-installed"
 }
 
-consumers=$PWD/build/library/consumers
+compilers="g++ $(basename "$(command -v clang++ clang++-14 | head -n 1)")"
+programs=$PWD/build/library/programs
 
-# Prints the flags with which programs are compiled, one set a line.
-consumer_flags() {
-  printf '%s\n' '-O0' '-O2 -ffast-math' '-O2 -DEIGEN_DONT_VECTORIZE' '-O2 -DEIGEN_MAX_ALIGN_BYTES=0' \
-    '-O2 -march=native' '-O0 -march=native -ffast-math'
-  # Eigen rejects -mavx512f without -mfma.
-  [[ $(uname -m) != x86_64 ]] || printf '%s\n' '-O2 -mavx2 -mfma' '-O2 -mavx512f -mfma'
-}
-
-# compile_consumers: compiles the program with each set of flags. Both kinds of library have the same
-# headers, so this is done once.
-compile_consumers() {
-  rm -rf "$consumers"
-  mkdir -p "$consumers"
-  # shellcheck disable=SC2016 # expanded by the shell that xargs starts
-  consumer_flags | xargs -P "$(nproc)" -I{} bash -c 'flags="{}"
-    c++ -std=c++20 $flags $(pkg-config --cflags twrench) -c tests/library/consumer.cpp -o "$0/${flags// /}.o" ||
-      exit 255' "$consumers"
-}
-
-# can_run FLAGS: whether this processor has the registers that the flags ask for.
-can_run() {
-  local name
-  for name in avx2 avx512f; do
-    [[ $1 != *-m$name* ]] || grep -qw "$name" /proc/cpuinfo || return 1
+# Prints the ways to compile programs, one compiler with its flags per line.
+program_builds() {
+  local compiler flags
+  for compiler in $compilers; do
+    for flags in -O0 '-O2 -ffast-math' '-O2 -march=native' '-O2 -DEIGEN_MAX_ALIGN_BYTES=0'; do
+      echo "$compiler $flags"
+    done
+    # Eigen rejects -mavx512f without -mfma.
+    [[ $(uname -m) != x86_64 ]] || echo "$compiler -O2 -mavx512f -mfma"
   done
 }
 
-# run_consumers FOLDER [FLAGS]: links the programs with the library that pkg-config finds, and runs
-# them; with FLAGS, only the program that was compiled with them.
-run_consumers() {
-  local flags program
-  while read -r flags; do
-    program=$1/consumer${flags// /}
-    # shellcheck disable=SC2046,SC2086 # the flags are words
-    c++ $flags "$consumers/${flags// /}.o" -o "$program" $(pkg-config --libs twrench)
-    can_run "$flags" || continue
-    "$program" >"$program.log" 2>&1 || die "a program compiled with $flags got wrong results" \
-      "it says: $(tail -n 3 "$program.log")"
-  done < <(if (($# > 1)); then echo "$2"; else consumer_flags; fi)
+# compile_programs: compiles the programs in each way. Both kinds of library have the same headers,
+# so this runs once.
+compile_programs() {
+  rm -rf "$programs"
+  # shellcheck disable=SC2016 # expanded by the shell that xargs starts
+  program_builds | xargs -P "$(nproc)" -I{} bash -c 'build="{}" folder="$0/${build// /}"
+    mkdir -p "$folder"
+    for source in tests/library/consumer $(printf "examples/cpp/%s " $1); do
+      $build -std=c++20 $(pkg-config --cflags twrench) -c "$source.cpp" -o "$folder/${source##*/}.o" || exit 255
+    done' "$programs" "$examples"
+}
+
+# run_programs FOLDER [FLAGS]: links the programs with the library that pkg-config finds, and runs
+# them; with FLAGS, only the programs compiled with those flags.
+run_programs() {
+  local build folder name
+  while read -r build; do
+    folder=$1/${build// /}
+    mkdir -p "$folder"
+    for name in consumer $examples; do
+      # shellcheck disable=SC2046,SC2086 # the flags are words
+      $build "$programs/${build// /}/$name.o" -o "$folder/$name" $(pkg-config --libs twrench)
+    done
+    # Whether this processor supports the instructions that the flags enable.
+    [[ $build != *-mavx512f* ]] || grep -qw avx512f /proc/cpuinfo || continue
+    "$folder/consumer" >"$folder/consumer.log" 2>&1 || die "a program compiled by $build got wrong results" \
+      "it says: $(tail -n 3 "$folder/consumer.log")"
+    run_examples "$folder"
+  done < <(program_builds | grep -- "${2:-}\$")
 }
 
 for shared in OFF ON; do
   say "the library of the dynamics, shared: $shared"
   build=$PWD/build/library/shared-$shared
   rm -rf "$build-installed" "$build-user"
-  # Where the tests are built, sources are compiled sixteen at a time; otherwise each alone.
+  # With the tests, sources are compiled in groups of sixteen; without, separately.
   testing=OFF
   [[ $shared == ON ]] || testing=ON
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTWRENCH_RENDER=OFF \
@@ -153,25 +195,18 @@ for shared in OFF ON; do
   [[ -s $build-installed/share/doc/twrench/LICENSE ]] ||
     die "the licence was not installed" "see $build-installed"
 
-  cmake -S examples/cpp -B "$build-user" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_PREFIX_PATH="$build-installed" >/dev/null
-  cmake --build "$build-user"
-  run_examples "$build-user"
-
   export PKG_CONFIG_PATH=$build-installed/lib/pkgconfig LD_LIBRARY_PATH=$build-installed/lib
-  mkdir -p "$build-user/by_pkg_config"
-  for example in flip_time order; do
-    # shellcheck disable=SC2046 # the flags are words
-    c++ -std=c++20 "examples/cpp/$example.cpp" -o "$build-user/by_pkg_config/$example" \
-      $(pkg-config --cflags --libs twrench)
+  for compiler in $compilers; do
+    cmake -S examples/cpp -B "$build-user/$compiler" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+      -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$build-installed" >/dev/null
+    cmake --build "$build-user/$compiler"
+    run_examples "$build-user/$compiler"
   done
-  run_examples "$build-user/by_pkg_config"
 
-  [[ $shared == ON ]] || compile_consumers
-  ! nm -C "$consumers"/*.o | grep -E ' [^U] (vtable|typeinfo) for twrench' >&2 ||
+  [[ $shared == ON ]] || compile_programs
+  ! nm -C "$programs"/*/*.o | grep -E ' [^U] (vtable|typeinfo) for twrench' >&2 ||
     die "programs have copies of the library's vtables" "each class needs a virtual function in a source"
-  mkdir -p "$build-user/consumers"
-  run_consumers "$build-user/consumers"
+  run_programs "$build-user/programs"
   if [[ $shared == ON ]]; then
     check_exports "$build-installed" "$build-user/exports.log"
   else
@@ -190,8 +225,23 @@ for shared in OFF ON; do
 done
 
 say "the library in projects that contain it"
-use_sources "$PWD/build/library/contained/gcc" c++ OFF
-use_sources "$PWD/build/library/contained/clang" "$(command -v clang++ clang++-14 | head -n 1)" ON
+# Each compiler with each linkage, each compiler in each way, and each linkage in each way.
+read -r gcc clang <<<"$compilers"
+while read -r compiler shared way; do
+  use_sources "$PWD/build/library/contained/$compiler-$shared" "$compiler" "$shared" "$way" </dev/null
+done <<END
+$gcc OFF FetchContent
+$gcc ON add_subdirectory
+$clang OFF add_subdirectory
+$clang ON FetchContent
+END
+
+say "the binary interface of the shared library"
+if [[ $(dpkg --print-architecture 2>/dev/null)-$(g++ -dumpversion) == amd64-12 ]]; then
+  check_interface build/library/contained/g++-ON/build/twrench/src/libtwrench-dynamics.so
+else
+  echo "not compared: packaging/abi is of GCC 12 on amd64"
+fi
 
 say "the library compiled for this processor, in programs that are not"
 build=$PWD/build/library/native
@@ -204,5 +254,5 @@ cmake -S . -B "$build" -G Ninja -DTWRENCH_RENDER=OFF -DBUILD_TESTING=OFF -DCMAKE
 cmake --build "$build"
 cmake --install "$build" >/dev/null
 export PKG_CONFIG_PATH=$build-installed/lib/pkgconfig
-run_consumers "$build" '-O0'
-run_consumers "$build" '-O2 -ffast-math'
+run_programs "$build/programs" '-O0'
+run_programs "$build/programs" '-O2 -ffast-math'

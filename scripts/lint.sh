@@ -26,7 +26,8 @@ case "${1-}" in
   fix) sources | xargs -0 clang-format-14 -i ;;
   tidy)
     scripts/setup.sh tidy
-    # The compile commands, one for each source, and the generated headers; clang does not read GCC's precompiled headers.
+    # Makes the compile commands, one for each source, and the generated headers. clang does not
+    # read GCC's precompiled headers.
     cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_UNITY_BUILD=OFF \
       -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # The pattern excludes generated sources, which are under build/.

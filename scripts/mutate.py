@@ -224,7 +224,7 @@ def selected_changes(options: argparse.Namespace, sources: dict[str, str]) -> li
 
 
 def prepare(tree: Tree) -> None:
-    """Copies the committed sources. Raises CannotRun if something is missing."""
+    """Copies the committed sources. Raises CannotRun if a requirement is missing."""
     if subprocess.run(["git", "rev-parse", "--verify", "--quiet", "HEAD"], cwd=PROJECT,
                       capture_output=True).returncode != 0 or not (PROJECT / ".git").exists():
         raise CannotRun(f"{PROJECT} is not a git checkout with a commit; clone the repository")
@@ -272,7 +272,8 @@ def run(options: argparse.Namespace, tree: Tree) -> int:
 
 
 def take(lock: TextIO, seconds: int) -> None:
-    """Locks the file. The children of a run hold its lock, too: those of a killed run may still work."""
+    """Locks the file. The children of a run also hold its lock, because those of a killed run may still
+    be running."""
     for _ in range(10 * seconds):
         try:
             return fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# package.sh: installs what is missing, makes Debian's packages for the release that runs here, in
-# out/packages, and has lintian check them. scripts/try_packages.sh tries them on a bare system.
+# package.sh: installs missing dependencies, makes Debian packages for the installed release of Debian
+# in out/packages, and checks them with lintian. scripts/try_packages.sh tries them on a bare system.
 #
-# The same sources, packages of Debian and SOURCE_DATE_EPOCH give the same bytes, in whatever folder,
-# by whomever and whenever. SOURCE_DATE_EPOCH, in seconds since 1970, is by default the time of the
-# last commit or, outside git, that of the release (TWRENCH_RELEASE_DATE in CMakeLists.txt).
+# The packages are reproducible: the same sources, Debian packages and SOURCE_DATE_EPOCH give the same
+# bytes in any folder, for any user, at any time. SOURCE_DATE_EPOCH, in seconds since 1970, is by
+# default the time of the last commit or, outside git, that of the release (TWRENCH_RELEASE_DATE in
+# CMakeLists.txt).
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,19 +20,19 @@ export LC_ALL=C.UTF-8 TZ=UTC
 umask 022
 if [[ -z ${SOURCE_DATE_EPOCH-} ]]; then
   release_date=$(sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt)
-  # Not the commit of a repository somewhere above.
+  # --git-dir excludes a repository in a folder above.
   SOURCE_DATE_EPOCH=$(git --git-dir=.git log -1 --format=%ct 2>/dev/null ||
     date --date="$release_date" +%s)
 fi
 export SOURCE_DATE_EPOCH
 
-# Debian's flags, hardened. Without link-time optimisation, which Ubuntu adds and by which the static
-# library would hold intermediate code, and without debug symbols, which are stripped anyway.
+# Debian's hardened flags, without link-time optimisation, which Ubuntu adds and which would put
+# intermediate code into the static library, and without debug symbols, which are stripped anyway.
 export DEB_BUILD_MAINT_OPTIONS='hardening=+all optimize=-lto' DEB_CXXFLAGS_MAINT_STRIP='-g -O2'
 CXXFLAGS="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
 LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
 export CXXFLAGS LDFLAGS
-# An earlier run's flags do not count.
+# The cache holds the flags of an earlier run.
 rm -f build/package/CMakeCache.txt
 scripts/page.sh
 scripts/build.sh package

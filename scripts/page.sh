@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds what `twrench page` writes pages from, build/page/page.html: the motion's C++ as WebAssembly,
-# and the scripts and styles of web/ in one file. The next build of the program has it in.
+# Builds build/page/page.html, the template of `twrench page`: the motion's C++ as WebAssembly, and the
+# scripts and styles of web/ in one file. The next build of the program embeds it.
 #   page.sh          builds it
-#   page.sh --check  checks the types of the scripts as well
-#   page.sh --serve [SCENE]  builds it whenever a file of web/ changes, and serves a page of it
+#   page.sh --check  also checks the types of the scripts
+#   page.sh --serve [SCENE]  builds it whenever a file of web/ changes, and serves a page of the scene
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -27,14 +27,14 @@ clang_version() {
   die "there is no Clang that makes WebAssembly" "scripts/setup.sh page"
 }
 
-# The sources that the page needs. bindings.cpp is compiled with them, as are those beside it.
+# The sources of the page's core, including those in web/core.
 core_sources() {
-  printf 'src/%s.cpp\n' base/{color,error,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
+  printf 'src/%s.cpp\n' base/{color,error,letters,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
     body/triangle_mesh \
-    motion/{diagnostics,error,exact,exact_samples,free_body,method,polhode,propagator,rotating_frame} \
-    motion/{stability,stepper,taylor,trajectory} study/flip_search \
+    motion/{diagnostics,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
+    motion/{series_steps,stability,stepper,taylor,trajectory} study/flip_search \
     scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
-    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,mesh,shadow_balls} \
+    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,intersections,mesh,shadow_balls} \
     picture/look/{emphasis,force_style,material,studio,theme} \
     picture/compose/{camera_path,label} \
     picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point}
@@ -42,7 +42,7 @@ core_sources() {
   printf 'web/core/%s.cpp\n' bindings page_views pictures platform recorded_run stars surfaces
 }
 
-# build_core: build/page/core.wasm, unless it is newer than all that it is made of.
+# build_core: builds build/page/core.wasm, unless it is newer than all of its sources.
 build_core() {
   local newer
   newer=$(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core scripts/page.sh \
@@ -51,10 +51,10 @@ build_core() {
   local version
   version=$(clang_version)
   say "compiling the motion to WebAssembly with Clang $version"
-  # Headers alone, from a folder that has those of the system beside none of the C library's.
+  # Only the headers of these libraries: the system's folder also has those of its C library.
   mkdir -p "$out/include"
   ln -sfn /usr/include/{boost,fmt,glm} "$out/include"
-  # What cannot fail needs no message, and Boost's draw in the locales.
+  # Boost's error messages would pull in the locales, and none can occur.
   local errors
   printf -v errors -- '-DBOOST_MATH_%s_ERROR_POLICY=ignore_error ' DOMAIN POLE OVERFLOW EVALUATION \
     ROUNDING INDETERMINATE_RESULT
@@ -63,7 +63,7 @@ build_core() {
     -ffunction-sections -fdata-sections -ffp-contract=off -DNDEBUG
     -DFMT_HEADER_ONLY -DFMT_STATIC_THOUSANDS_SEPARATOR=32 $errors
     -Iweb/core/shim -Iweb/core -Isrc -Iinclude -isystem "$out/include" -isystem /usr/include/eigen3)
-  # As a unity build: two files, for two processors.
+  # A unity build of two files, for two processors.
   core_sources | awk -v out="$out" -v root="$PWD" \
     '{ print "#include \"" root "/" $0 "\"" > (out "/unity" (NR % 3 == 0) ".cpp") }'
   local part jobs=()
@@ -77,13 +77,13 @@ build_core() {
   gzip -9cn "$out/core.wasm" | base64 -w 0 >"$out/core.base64"
 }
 
-# build_template: build/page/page.html, in which the program puts a scene.
+# build_template: builds build/page/page.html. The program inserts a scene into it.
 build_template() {
   esbuild web/main.js --bundle --format=esm --target=es2022 --minify --charset=utf8 \
     --loader:.vert=text --loader:.frag=text --loader:.glsl=text --log-level=warning \
     --legal-comments=none --outfile="$out/script.js"
   esbuild web/style.css --bundle --minify --log-level=warning --outfile="$out/style.css"
-  # An inline script is allowed by its hash; what stands between the tags counts.
+  # The policy allows an inline script by the hash of the text between its tags.
   local hash
   hash=$({ printf '\n' && cat "$out/script.js"; } | openssl dgst -sha256 -binary | base64)
   awk -v out="$out" -v hash="$hash" '
@@ -104,9 +104,9 @@ build_template() {
   mv "$out/page.html.new" "$out/page.html"
 }
 
-# check_types: as the comments of the scripts say them.
+# check_types: checks the types in the comments of the scripts.
 check_types() {
-  # A Node.js that is not Debian's serves as well.
+  # Any installed Node.js will do.
   command -v npm >/dev/null || scripts/setup.sh node
   mkdir -p "$out/npm"
   if ! cmp -s web/package-lock.json "$out/npm/package-lock.json" || [[ ! -d $out/npm/node_modules ]]; then

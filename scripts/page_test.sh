@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # page_test.sh [TEST]: builds the page and the program with it, checks the types of the page's scripts,
-# compares what the page's views show with what the program's show, and tests pages in Chromium, and in
-# Firefox where it is installed; with a word, the tests of pages whose names have it.
+# compares the views of the page with those of the program, and tests pages in Chromium, and in Firefox
+# if it is installed. TEST is a word: only tests of pages with this word in their names run.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

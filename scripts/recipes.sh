@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Follows the recipes of CONTRIBUTING.md. tests/recipes has a patch for each, an example as a newcomer
-# would write it. They are applied together to a copy of the sources, build/recipes/source, which is
-# built and tested; then tests/recipes uses the examples in a scene file, a film, Python and a page.
-#   recipes.sh                    does that
+# would write it. The patches are applied together to a copy of the sources, build/recipes/source, which
+# is built and tested; then tests/recipes uses the examples in a scene file, a film, Python and a page.
+#   recipes.sh                    does all this
 #   recipes.sh --forget [RECIPE...]  leaves out each file of each patch in turn, and lists the compile
 #                                 error or the failing test that reports it. Takes an hour or more
 set -euo pipefail
@@ -16,16 +16,16 @@ mapfile -t recipes < <(basename --suffix=.patch "$patches"/*.patch)
 
 usage() { sed -n '/^# /s///p; /^set/q' "$0"; }
 
-# files_of RECIPE: the files that its patch changes.
+# files_of RECIPE: prints the files that its patch changes.
 files_of() { sed -n 's|^+++ b/||p' "$patches/$1.patch"; }
 
-# patch_without RECIPE FILE: its patch without the changes of that file.
+# patch_without RECIPE FILE: prints its patch without the changes of that file.
 patch_without() {
   awk -v header="diff --git a/$2 b/$2" '/^diff --git / { keeps = $0 != header } keeps' "$patches/$1.patch"
 }
 
-# Prints the names of the sources, each with a zero byte: what git would commit, or, in an archive of
-# the sources, all files.
+# Prints the names of the sources, each followed by a zero byte: the files that git would commit or,
+# in an archive of the sources, all files.
 list_sources() {
   if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
     git ls-files --cached --others --exclude-standard -z
@@ -34,8 +34,8 @@ list_sources() {
   fi
 }
 
-# follow [RECIPE FILE]: makes `copy` the sources with all patches applied; without that file of that
-# recipe's. Writes only files that differ, so that little is rebuilt.
+# follow [RECIPE FILE]: makes `copy` equal to the sources with all patches applied, except the
+# change of FILE in the patch of RECIPE. Writes only files that differ, so that little is rebuilt.
 follow() {
   local recipe file
   rm -rf "$new"
@@ -60,8 +60,7 @@ targets=(twrench twrench_python random_views architecture_test golden_test motio
   recipes_test video_test)
 
 # The tests that the recipes name.
-tests='^(Contributing|Method|All/Method|.*Recipe|Each/Theme|Encoder.EncodesEach|Golden|All/Golden|ContentsOfViews|Page)'
-tests+='|^python.(mesh|film|docs|typing)$'
+tests='^((architecture|golden|motion|page|picture|video)_test|.*Recipe\..*|python.(mesh|film|docs|typing))$'
 
 build() {
   local page=$copy/build/page
@@ -83,7 +82,7 @@ run_tests() {
     --parallel "$(($(nproc) + 2))" --tests-regex "$tests"
 }
 
-# use_examples: in a scene file, a film, Python and a page.
+# use_examples: uses the examples in a scene file, a film, Python and a page.
 use_examples() {
   local build=$copy/build/release python
   python=$(sed -n 's/^_Python_EXECUTABLE:INTERNAL=//p' "$build/CMakeCache.txt")
@@ -93,7 +92,7 @@ use_examples() {
     "$python" -m pytest -q -p no:cacheprovider -p no:randomly "$copy/tests/recipes"
 }
 
-# check_all [RECIPE FILE]: everything, one step after another; exits with the status of the first
+# check_all [RECIPE FILE]: runs all steps, one after another; exits with the status of the first
 # that fails.
 check_all() {
   follow "$@"
@@ -107,7 +106,7 @@ first_complaint() {
     sed "s|$copy/||g" | cut -c 1-150
 }
 
-# forget RECIPE FILE: prints a line of the table; fails if nothing was noticed.
+# forget RECIPE FILE: prints a line of the table; fails if no step reports the missing change.
 forget() {
   local log=$logs/$1-${2//\//-}.log
   rm -rf "$copy"
@@ -147,7 +146,7 @@ for recipe in "$@"; do
 done
 
 scripts/setup.sh recipes
-# A Node.js that is not Debian's serves as well.
+# Any installed Node.js will do.
 command -v node >/dev/null || scripts/setup.sh node
 require_writable build/recipes
 say "following the recipes: ${recipes[*]}"

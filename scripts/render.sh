@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The main command, also on a bare Debian or Ubuntu: installs what is missing, builds what is out of
-# date, then runs `twrench render` with the given arguments (default: the default scene).
+# The main command, which also works on a bare Debian or Ubuntu: installs missing dependencies, builds
+# the program if it is out of date, then runs `twrench render` with the given arguments (default: the
+# default scene).
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # reproduce_packages.sh: makes the packages of the committed sources a second time, in another folder
-# and with another umask, time zone, locale and home, and compares them with those of scripts/package.sh in
-# out/packages byte by byte.
+# and with another umask, time zone, locale and home, and compares them byte by byte with the packages
+# that scripts/package.sh made in out/packages.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

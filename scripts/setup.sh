@@ -2,30 +2,30 @@
 # Installs the missing Debian or Ubuntu packages for:
 #   setup.sh render   building the program and making videos
 #   setup.sh python   building the Python module
-#   setup.sh test     running its tests as well
-#   setup.sh check    running the project's checks as well
-#   setup.sh tidy     running clang-tidy and the fuzzers as well
+#   setup.sh test     also running the tests
+#   setup.sh check    also running the project's checks
+#   setup.sh tidy     also running clang-tidy and the fuzzers
 #   setup.sh bench    building the benchmarks and the programs they compare with
-#   setup.sh foreign  judging the motion of other programs' free bodies
+#   setup.sh foreign  checking the motion of free bodies in other programs
 #   setup.sh coverage measuring line coverage, and running the tests under valgrind
 #   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
 #   setup.sh package  making Debian's packages
 #   setup.sh docs     building the reference pages
-#   setup.sh interchange running other programs on what is exported
-#   setup.sh page     building what pages are written from
+#   setup.sh interchange running other programs on exported files
+#   setup.sh page     building the template of pages
 #   setup.sh browser  testing pages in a browser
 #   setup.sh recipes  following the recipes of CONTRIBUTING.md
 #   setup.sh node     running the programs of npm
 #   setup.sh distros  testing the project on other releases of Debian
-# Packages are selected by what the release has, not by its name. If nothing is missing, it prints
-# nothing and calls neither apt nor sudo.
+# Packages are selected by availability, not by the name of the release. If nothing is missing, the
+# script prints nothing and calls neither apt nor sudo.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-# Purpose | description | packages, of which the first that the release has is used | the fallback
-# if there is none; without it the package is required.
+# Purpose | description | packages | fallback. The first package that the release has is used. The
+# fallback applies if it has none; without a fallback, a package is required.
 needs() {
   cat <<'END'
 render   | the C++ compiler              | g++
@@ -70,6 +70,7 @@ test     | pandas                        | python3-pandas
 test     | Pillow, to read our PNG       | python3-pil
 test     | mypy                          | mypy
 test     | GoogleMock                    | libgmock-dev
+test     | a validator of JSON Schema    | python3-jsonschema        | the schema of scene files is not tested
 test     | a typeface of many scripts    | fonts-freefont-ttf
 test     | gnuplot, for figures          | gnuplot-nox gnuplot
 test     | ImageMagick, to read our PNG  | imagemagick
@@ -78,6 +79,8 @@ test     | mandoc, for the same          | mandoc
 test     | libpng's tools, for the same  | libpng-tools
 check    | clang-format 14               | clang-format-14           | the formatting of the sources is not checked
 check    | debootstrap, for Debian 13   | debootstrap
+check    | Clang, the other compiler     | clang-14 clang
+check    | abidiff, to compare libraries | abigail-tools
 tidy     | clang-tidy 14                 | clang-tidy-14
 tidy     | Clang 14                      | clang-14
 tidy     | Clang 14's sanitizers         | libclang-rt-14-dev
@@ -202,7 +205,7 @@ for i in "${!roles[@]}"; do
   missing+=("$i")
   [[ -n ${otherwise[i]} ]] || must=1
 done
-# Optional packages are installed together with the others, never on their own.
+# Optional packages are installed only together with others.
 ((must)) || exit 0
 require_writable build
 
@@ -257,7 +260,7 @@ fi
 log=$PWD/build/setup.log
 : >"$log"
 # run_apt COMMAND...: runs it as root; its output goes to the log, in English, because it is parsed
-# below. Waits for a lock: apt is often busy on a machine that was just started.
+# below. Waits for the lock, because apt is often busy on a machine that was just started.
 run_apt() {
   local patience=300 told='' words status
   while true; do
@@ -275,7 +278,8 @@ run_apt() {
   done
 }
 
-# Explains why apt-get failed, from its log; the last resort is its own last lines.
+# Explains why apt-get failed, from its log; if the reason is unknown, prints the last lines of the
+# log.
 explain() {
   said() { grep -qE "$1" "$log"; }
   if said 'Could not get lock|Unable to acquire'; then

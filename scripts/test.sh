@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Runs every test, also on a bare Debian or Ubuntu: installs what is missing, builds what is out of
-# date, then runs all tests of the release build. scripts/check.sh runs every check of a change.
+# Runs every test, also on a bare Debian or Ubuntu: installs missing dependencies, builds all targets
+# that are out of date, then runs all tests of the release build. scripts/check.sh runs every check of
+# a change.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/setup.sh test
 scripts/build.sh --tests release
-# Two more tests at a time than processors: some tests mostly wait, for a lock or for a signal.
+# Runs two more tests at a time than there are processors, because some tests mostly wait for a lock
+# or a signal.
 exec ctest --test-dir build/release --output-on-failure --no-tests=error \
   --parallel "$(($(nproc) + 2))"

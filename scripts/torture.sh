@@ -44,7 +44,7 @@ run_part() {
   say "error: torture_$2 found a fault; to try a case again: $program 0 $seed CASE"
 }
 
-# As in scripts/check.sh: GCC's sanitizers fail with too many random address bits.
+# GCC's sanitizers fail with too many random address bits; see scripts/check.sh.
 launcher=()
 if setarch --addr-no-randomize true 2>/dev/null; then
   launcher=(setarch --addr-no-randomize)

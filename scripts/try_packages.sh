@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # try_packages.sh SUITE FOLDER [OPTION...]: installs the packages that scripts/package.sh made in
-# FOLDER on a bare installation of the release SUITE, uses and removes each. Options are those of
+# FOLDER on a bare installation of the release SUITE, and uses and removes each. Options are those of
 # `twrench render`, for a film that takes less time than the default one. Needs root.
 #
-# The program must make its film and miss nothing; a project of its own must find the library by
-# CMake and by pkg-config; Python must find the module, if there is one; and no file may stay behind.
+# The program must make its film and report nothing missing; a separate project must find the library
+# with CMake and with pkg-config; Python must find the module, if there is one; and no file may be left
+# behind.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -33,14 +34,14 @@ try() {
   }
 }
 
-# Prints the files of the system without the records of apt, dpkg and ldconfig.
+# Prints the files of the system except the records of apt, dpkg and ldconfig.
 files() {
   (cd "$root" && find usr etc var \( -path var/lib/apt -o -path var/lib/dpkg -o -path var/log \
     -o -path var/cache/apt -o -path var/cache/debconf -o -path var/cache/ldconfig \) -prune -o -print) | sort
 }
 
 # try_package PACKAGE TOOLS COMMAND...: installs the package and the tools, runs the commands as a
-# user, and removes what was installed.
+# user, and removes the packages again.
 try_package() {
   local package=$1 tools=$2 before command left
   shift 2
@@ -53,20 +54,20 @@ try_package() {
   [[ -z $left ]] || die "$suite: $package left $(wc -l <<<"$left") files behind, such as" \
     "$(head -n 20 <<<"$left")"
 }
-# apt would keep what came with the package if another one happens to suggest it.
+# Otherwise apt would keep a dependency that another package happens to suggest.
 clean="apt-get autoremove --purge --yes -o APT::AutoRemove::RecommendsImportant=false \
   -o APT::AutoRemove::SuggestsImportant=false"
 
-# apt never removes an init system again, which libraries of ffmpeg recommend and every machine has.
+# Install an init system first: libraries of ffmpeg recommend one, and apt never removes it.
 try root "apt-get update && apt-get install --yes --no-install-recommends systemd-sysv"
-# What this release lacks but the program does not need is no fault of the package.
+# The package is not at fault if this release lacks something that the program does not need.
 try_package twrench '' "twrench render $*" "test -s out/dzhanibekov.mp4" "twrench doctor" \
   "twrench doctor | awk '/  missing  / { getline; if (!/not needed/) exit 1 }'"
 try_package libtwrench-dev "cmake g++ make pkgconf" \
   "cmake -S examples/cpp -B build && cmake --build build && build/flip_time" \
   "c++ -std=c++20 examples/cpp/flip_time.cpp -o by_pkg_config \$(pkg-config --cflags --libs twrench) && ./by_pkg_config"
 if compgen -G "$folder/python3-twrench_*.deb" >/dev/null; then
-  # Root would leave bytecode behind if the package did not bring its own.
+  # Without the bytecode of the package, root would leave bytecode behind.
   try_package python3-twrench '' "python3 examples/python/body_to_film.py"
 fi
 say "$suite: the packages work, and leave nothing behind (log: $log)"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# valgrind.sh [--quick] [PROGRAM...]: runs the tests of everything before OpenGL under valgrind's
-# memcheck, which finds what the sanitizers do not: uninitialised values. Takes minutes; with
+# valgrind.sh [--quick] [PROGRAM...]: runs the tests that do not use OpenGL under valgrind's memcheck,
+# which finds uninitialised values, unlike the sanitizers. Takes minutes; with
 # --quick it runs only the tests that look for such values, which takes seconds.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/setup.sh coverage
-# Excludes the slowest tests, and those that valgrind makes fail: its vfork is a fork, so that only
-# the child's exit status 127 reports a missing program; its long double has 64 bits.
+# Excludes the slowest tests, and tests that fail under valgrind. Its vfork is a fork, so a missing
+# program is reported only by the child's exit status 127; its long double has 64 bits.
 left_out=-*OfTheLargest*:*WithoutEnd*
 left_out+=:*ThatIsNotThere*:Encoder.MissingIsToldWithTheRemedy
 left_out+=:ExactMotion.*ForRandomBodies:ExactMotion.*AfterAThousandTurns

@@ -26,7 +26,8 @@ void main() {
   // Between the vertices of a facet the interpolated normal is shorter than 1. In a cylinder of
   // radius 1 it is the position across the axis, as deep as the facet; the visible surface is where
   // its length is 1 again, t further towards the eye. Other surfaces stay where they are.
-  // In triangles much narrower than a pixel, it may come out longer by far than at any vertex.
+  // In triangles much narrower than a pixel, the interpolated normal may be far longer than at any
+  // vertex.
   float square = dot(stage_normal, stage_normal);
   vec3 inside = stage_normal * inversesqrt(max(0.9 * square, 1.0));
   float along = dot(inside, bulge.xyz);
@@ -40,7 +41,7 @@ void main() {
   // varies rapidly, would flicker.
   float facing = dot(n, to_eye);
   float lifted = max(facing, 0.15);
-  // The square root of 1 + x for the small x by which the squared length grows.
+  // 1 / sqrt(1 + x) to first order, where x is the small amount by which the squared length grows.
   float length_back = 1.0 - 0.5 * (lifted * lifted - facing * facing);
   n = (n + (lifted - facing) * to_eye) * length_back;
   float n_v = lifted * length_back;
@@ -55,8 +56,8 @@ void main() {
   // Reflection doubles the angle of the half vector, hence the factor.
   float width_squared = 4.0 * (alpha * alpha + variance);
 
-  // The scratches scatter light across them: a slope of the surface there turns the mirrored
-  // direction by this.
+  // The scratches scatter light perpendicular to themselves: a slope of the surface in that
+  // direction turns the mirrored direction by this.
   vec3 stretch = 2.0 * brushing * (n_v * brushed + dot(brushed, to_eye) * n);
   vec3 incoming = incoming_radiance(place, mirrored, width_squared, stretch);
   vec3 reflected = occluded(incoming, place, mirrored, width_squared);

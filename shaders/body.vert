@@ -4,7 +4,7 @@
 layout(location = 0) in vec3 position;  // body axes, cm
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 shift;  // see Shift in silhouette.h
-// Of edge quads: transparency, and a depth offset towards the eye in pixels; else 0.
+// For edge quads: transparency, and a depth offset towards the eye in pixels. Otherwise 0.
 layout(location = 4) in vec2 fade;
 
 uniform mat3 stage_from_body;
@@ -14,8 +14,8 @@ uniform vec3 picture;  // half its size in pixels, and the pixels of an offset o
 uniform vec3 eye;
 // Depth offset towards the eye in pixels, over a part that this one touches.
 uniform float part_lift;
-// Stage: radius of curvature near the silhouette; the same for a round outline, else 0; that of a
-// cylinder's rims, else 0.
+// Radii of curvature in the stage: near the silhouette; the same if the outline is round, else 0;
+// of a cylinder's rims, else 0.
 uniform vec3 part_radii;
 // The position across the axis of a shape of revolution in its radii, from body axes; else 0.
 uniform vec4 across_from_body[2];
@@ -28,8 +28,9 @@ out float coverage;  // 1 on the body, falling to 0 across an edge quad
 flat out vec4 bulge;  // offset from a facet to the exact surface, see body.frag
 flat out float scale;  // pixels per unit length
 flat out float most_variance;  // of the normal within a pixel
-// See brush.glsl. With several samples per pixel it would otherwise be taken at the pixel's centre,
-// which may lie beyond the facet's edge: the value extrapolated there may be on the stripe.
+// See brush.glsl. With several samples per pixel, a value that is not `centroid` is taken at the
+// pixel's centre, which may lie beyond the facet's edge: the value extrapolated there may be on the
+// stripe.
 centroid out vec2 across;
 out vec3 around;
 
@@ -62,8 +63,8 @@ void main() {
   vec3 across_axis = towards_eye - dot(side_axis, towards_eye) * side_axis;
   bulge = vec4(across_axis, dot(side_axis, side_axis) * part_radii.x) *
           inversesqrt(max(dot(across_axis, across_axis), 1e-6));
-  // The strips at a cylinder's outline may be much narrower than a pixel, so that the normals at
-  // their ends say nothing; its curvature does.
+  // The strips at a cylinder's outline may be much narrower than a pixel, so the curvature limits
+  // the variance, not the normals at their ends.
   float turn = bulge.w > 0.0 ? pixel / (0.15 * part_radii.x) : 1.0;
   most_variance = min(0.5 * turn * turn, 0.25);
 
@@ -78,22 +79,30 @@ void main() {
                     cross(across_from_body[0].xyz, across_from_body[1].xyz);
   end_normal *= sign(dot(end_normal, n)) * inversesqrt(max(dot(end_normal, end_normal), 1e-12));
 
-  // Shrunk by s pixels, it shows the surface there, where on a circle of radius r the cosine
-  // between normal and line of sight is sqrt(2 s / r). A rim curves so sharply that its outermost
-  // part, narrower than a pixel, would glitter: all of the edge quad shows what is within. Where
-  // the whole rim is seen narrower than that, what is within is the end face.
-  // The strips of a cylinder's side turn by up to 2 sqrt(0.3 / r).
+  // A surface shrunk by s pixels shows the points s pixels inside the outline, where on a circle of
+  // radius r the cosine between normal and line of sight is sqrt(2 s / r). A rim curves so sharply
+  // that its outermost part, narrower than a pixel, would glitter. The whole edge quad therefore
+  // shows what is inside it. If the whole rim appears narrower than that, the end face is inside
+  // it. The strips of a cylinder's side turn by up to 2 sqrt(0.3 / r).
   bool on_rim = part_radii.z > 0.0 && (abs(dot(n, radial)) < 0.99 ||
                                        cosine < -sqrt(0.35 / max(radii.x, 1.0)));
   float within = on_rim ? abs(offset) : max(-offset, 0.0);
   float radius = on_rim ? radii.z : radii.x;
   float facing = sqrt(min(2.0 * within * picture.z / max(radius, 1.0), 0.8));
-  float face_cosine = dot(end_normal, to_eye);
+  float end_cosine = dot(end_normal, to_eye);
+  float side_cosine = dot(radial, to_eye);
   stage_normal = n;
-  if (on_rim && face_cosine > 0.0 && face_cosine <= facing) {
+  if (on_rim && end_cosine > 0.0 && end_cosine <= facing) {
     stage_normal = end_normal;
   } else if (offset * picture.z != 0.0) {
     stage_normal = normalize(n + max(facing - cosine, 0.0) * to_eye);
+  }
+  // At the outline of the side, a rim that appears narrower than a pixel shows the side; otherwise
+  // it would be a line of dots.
+  if (on_rim && picture.z > 0.0 && end_cosine < 0.0 && side_cosine > 0.0) {
+    float seen_width = radii.z * (1.0 + end_cosine * inversesqrt(end_cosine * end_cosine +
+                                                                 side_cosine * side_cosine));
+    stage_normal = normalize(mix(radial, stage_normal, smoothstep(0.75, 1.25, seen_width)));
   }
   pass_on_color();
   pass_on_neighbours();

@@ -1,15 +1,16 @@
 // Metal brushed away from a cylinder's axis: fine scratches along its side and, on its caps, from
-// the centre to the rim. They depend only on the angle about the axis, and so show how the part
-// turns.
+// the centre to the rim. They depend only on the angle about the axis and therefore show how the
+// part turns.
 
 const float scratches_of_quarter = 61.0;
-const float scratch_step = 17.0 / 244.0;  // over their number in a turn, after which they repeat
+const float scratch_step = 17.0 / 244.0;  // 17 / (scratches in a turn): they repeat after a turn
 
 centroid in vec2 across;  // position across the cylinder's axis, in its radii; 0 in other shapes
 in vec3 around;  // stage; perpendicular to the axis and to `across`
 
-// The height of the scratches, -0.5 to 0.5, at this angle: without an arc tangent, by the position
-// on a square. The squares of whole numbers times a fraction, modulo one, are as good as random.
+// Returns the height of the scratches, -0.5 to 0.5, at this angle. The position on a square
+// replaces an arc tangent. The squares of integers times a fraction, modulo one, serve as random
+// numbers.
 float scratch() {
   float share = across.x / max(abs(across.x) + abs(across.y), 1e-6);
   float quarters = across.y < 0.0 ? 3.0 + share : 1.0 - share;

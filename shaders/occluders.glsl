@@ -1,7 +1,7 @@
 // Shading of a part by its occluders, other parts approximated by capsules.
 
 flat in vec4 neighbour_end[occluder_count];  // stage; an end of the axis, and the radius
-// To the other end; 1 for a cylinder drawn before, else 0.
+// Vector to the other end; 1 for a cylinder drawn before, else 0.
 flat in vec4 neighbour_axis[occluder_count];
 // Squared length of the axis; 1 over that; 1 / radius.
 flat in vec3 neighbour_size[occluder_count];
@@ -14,8 +14,8 @@ float square_to_axis(int i, vec3 place, float s) {
   return max(dot(to_end, to_end) + s * (2.0 * along + s * neighbour_size[i].x), 1e-8);
 }
 
-// The light from `direction` at `place` behind capsule i: where the capsule hides the lobe, to the
-// degree by which the direction hits it, it shows the room's light once more reflected.
+// Returns the light from `direction` at `place`, given the light `incoming` without capsule i. To
+// the degree that the capsule hides the lobe, it shows the room's light reflected once more.
 vec3 behind(int i, vec3 incoming, vec3 place, vec3 direction, float width_squared) {
   vec3 axis = neighbour_axis[i].xyz;
   vec3 to_end = neighbour_end[i].xyz - place;
@@ -33,7 +33,7 @@ vec3 behind(int i, vec3 incoming, vec3 place, vec3 direction, float width_square
   // Behind `place`, the effect decreases with distance.
   float miss = aside - (radius + min(ahead, 0.0));
   float hidden = 1.0 - smoothstep(0.0, 1.0, 0.5 + 0.5 * miss * inversesqrt(square * width_squared));
-  // The normal where the ray enters the capsule, of length `radius`, or where it misses it, `aside`.
+  // The normal where the ray enters the capsule (length `radius`) or passes it (length `aside`).
   float depth = ahead - sqrt(max(radius * radius - aside_squared, 0.0));
   vec3 normal = depth * direction - (to_end + s * axis);
   vec3 tint = is_of_one_material ? reflectance : neighbour_tint[i];
@@ -52,10 +52,10 @@ float contact_shadow(vec3 place) {
   return left;
 }
 
-// The fraction of a pixel outside the cylinders that this part touches. Where it enters one, it
-// fades over the width of a pixel, so that there is no jagged edge; but not near the cylinder's
-// silhouette, where the shrunk cylinder is not behind the fading part, nor over more than two
-// pixels, as for a face seen edge-on.
+// The fraction of a pixel outside the cylinders that this part touches. Where the part enters one,
+// it fades over the width of a pixel, which avoids a jagged edge. It does not fade near the
+// cylinder's silhouette, where the shrunk cylinder is not behind the fading part, nor over more
+// than two pixels, as for a face seen edge-on.
 float contact_coverage(vec3 place, vec3 to_eye, float scale) {
   float outside = 1.0;
   for (int i = 0; i < occluder_count; ++i) {
@@ -74,7 +74,7 @@ float contact_coverage(vec3 place, vec3 to_eye, float scale) {
   return outside;
 }
 
-// The light from `direction` at `place`, of which `incoming` arrives where no occluder hides it.
+// Returns the light from `direction` at `place`; `incoming` is the light without occluders.
 vec3 occluded(vec3 incoming, vec3 place, vec3 direction, float width_squared) {
   for (int i = 0; i < occluder_count; ++i) {
     incoming = behind(i, incoming, place, direction, width_squared);

@@ -52,7 +52,7 @@ vec3 incoming_radiance(vec3 place, vec3 direction, float width_squared, vec3 str
   return sum;
 }
 
-// The radiance of the whole studio, blurred so far that it varies linearly with the direction. Some
+// The radiance of the whole studio, so blurred that it varies linearly with the direction. Some
 // arrives from all sides.
 vec3 ambient_radiance(vec3 direction) {
   return max(ambient_mean + ambient_slope * direction, 0.3 * ambient_mean);

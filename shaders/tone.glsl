@@ -1,6 +1,6 @@
 // From linear light to sRGB: the filmic curve of Hejl and Burgess-Dawson (2010), a fit to a film
-// stock that includes the display's gamma and needs no power function; scaled so that a radiance of
-// 2.5, and all above, is white. Otherwise a highlight of 5 would end at 244.
+// stock that includes the display's gamma and needs no power function. It is scaled so that a
+// radiance of 2.5 or more is white; otherwise a highlight of 5 would end at 244.
 vec3 filmic_srgb(vec3 light) {
   vec3 x = max(light - 0.004, 0.0);
   vec3 above = x * (6.675 * x + 0.5383);

@@ -1,2 +1,2 @@
-// A body that shows by its shape how it turns.
+// A body whose shape shows its rotation.
 vec3 painted(vec3 metal, vec3 normal) { return metal; }

@@ -12,7 +12,7 @@
 namespace twrench::torture {
 namespace {
 
-/// Limits that are added if the command has such an option and none was drawn.
+/// Limits that are added if the command has the option and the case does not set it.
 const std::vector<std::pair<std::string, std::string>> small{
     {"size", "64x48"},    {"duration", "1"}, {"fps", "4"},
     {"progress", "none"}, {"speed", "0.5"},  {"methods", "rk4"}};
@@ -26,7 +26,7 @@ Option option_of(const CLI::Option& option) {
 }
 
 const Value& draw_value(const Values& values, Dice& dice) {
-  // As root, who is refused nothing, no case touches system files.
+  // Root has permission for everything, so cases avoid system files.
   const bool spare_system = ::geteuid() == 0;
   if (dice.chance(0.15)) {
     const Value& hostile = dice.one_of(values.hostile);
@@ -104,7 +104,7 @@ void draw_options(CommandLine& line, const std::vector<Option>& options, Dice& d
     if (option.is_argument ? option.is_required || dice.chance(0.8)
                            : option.is_required && dice.chance(0.98)) {
       option.is_argument ? add_argument(line, option, dice) : add_option(line, option, dice);
-    } else if (!option.is_argument && !option.is_required && option.name != "help") {
+    } else if (!option.is_argument && !option.is_required && !option.name.starts_with("help")) {
       optional.push_back(option);
     }
   }
@@ -123,7 +123,7 @@ void pipe_scene(CommandLine& line) {
   line.arguments.front() = *word = "/dev/stdin";
 }
 
-/// Gives one file to two options for outputs.
+/// Passes the same file to two options for outputs.
 void repeat_output(CommandLine& line, const std::vector<Option>& options) {
   std::vector<std::string> outputs;
   for (const char* name : {"output", "plot", "diff", "report"}) {

@@ -8,10 +8,10 @@
 
 namespace twrench::torture {
 
-/// A command line, and what is known about it.
+/// A command line and its known properties.
 struct CommandLine {
   std::vector<std::string> words;  ///< without the program
-  std::string command;             ///< "" where there is none, or an unknown one
+  std::string command;             ///< "" if there is none, or an unknown one
   /// given options, by their long names without dashes
   std::map<std::string, std::string> options;
   /// positional arguments
@@ -20,7 +20,7 @@ struct CommandLine {
   bool may_last = false;
   /// scene file that the program reads from a pipe, as /dev/stdin
   std::string piped_scene;
-  /// two of its outputs are one file
+  /// two of its outputs are the same file
   bool has_one_output_twice = false;
   /// ffmpeg and ffprobe print warnings
   bool has_loud_children = false;
@@ -44,8 +44,9 @@ using OptionTable = std::map<std::string, std::vector<Option>>;  ///< by command
 /// Reads the table with which the program parses its command line.
 OptionTable read_option_table();
 
-/// A random command line of these commands: usually one that the program may accept, with one or
-/// two hostile values. Limits on size and time are prepended to keep runs small.
+/// Returns a random command line for one of these commands, usually one that the program may
+/// accept, with one or two hostile values. Limits on size and time are prepended to keep runs
+/// small.
 CommandLine random_command_line(const OptionTable& table, Dice& dice);
 
 }  // namespace twrench::torture

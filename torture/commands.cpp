@@ -2,8 +2,8 @@
 // table of options, with the real program in a folder full of traps, until the time is over; or a
 // single one of them. Case k is drawn by a generator seeded only from SEED and k. Faults are: a
 // wrong end or output of the run (messages.h); a file that was not requested; a changed input or
-// foreign file; an output that is missing although success was reported; invalid JSON; a small run
-// that takes 120 seconds, and a long one that ignores SIGTERM.
+// unrelated file; an output that is missing although the run succeeded; invalid JSON; a small run
+// that takes 120 seconds; and a long run that ignores SIGTERM.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The location of a name on the command line, relative to the folder where it is given.
+/// The path of a name on the command line, relative to the folder of the run.
 std::string place_of(const std::string& name, const fs::path& folder) {
   fs::path path = fs::path(name).lexically_normal();
   std::error_code failed;
@@ -123,7 +123,7 @@ using Faults = std::vector<std::string>;
 
 std::string printable(const std::string& path) { return shell_quoted({path}); }
 
-/// Existing entries are unchanged unless they were to be replaced.
+/// Existing entries must be unchanged unless the command was to replace them.
 void judge_old_entries(const Tried& tried, Faults& faults) {
   for (const auto& [path, was] : tried.before) {
     const auto found = tried.after.find(path);
@@ -155,7 +155,7 @@ void judge_old_entries(const Tried& tried, Faults& faults) {
   }
 }
 
-/// New entries were requested, and there are none if the command was rejected.
+/// New entries must have been requested; a rejected command must create none.
 void judge_new_entries(const Tried& tried, Faults& faults) {
   for (const auto& [path, entry] : tried.after) {
     if (tried.before.contains(path)) continue;
@@ -257,8 +257,8 @@ Tried Commands::run_case(const CommandLine& line, const fs::path& folder) const 
   Tried tried{line, {}, take_snapshot(work), {}, asked_by(line, work), inputs_of(line, work)};
   Program program{{}, work, folder / "said"};
   if (!line.piped_scene.empty()) {
-    // The program replaces the shell, because it must get the signals. If the scene is a pipe,
-    // perhaps no process ever writes to it.
+    // The program replaces the shell, so that it receives the signals. If the scene is a pipe,
+    // possibly no process ever writes to it.
     program.command = {"bash", "-c",
                        R"(scene=$1; shift; exec "$@" < <(timeout 60 cat -- "$scene" 2>/dev/null))",
                        "bash", line.piped_scene};

@@ -7,11 +7,11 @@
 
 namespace twrench::torture {
 
-/// Random numbers that are the same with every standard library; the standard distributions are
-/// not.
+/// Random numbers that are the same with every standard library, unlike those of the standard
+/// distributions.
 class Dice {
  public:
-  /// Those of case `number`, independent of earlier cases.
+  /// The numbers of case `number`, independent of earlier cases.
   Dice(std::uint32_t seed, std::uint32_t number) {
     std::seed_seq sequence{seed, number};
     engine_.seed(sequence);

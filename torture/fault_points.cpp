@@ -22,8 +22,8 @@ const std::map<std::string, int>& error_numbers() {
   return numbers;
 }
 
-/// The errors with which the calls of each kind may fail, from their manual pages. A call is
-/// retried after EINTR, which never occurs for ever.
+/// The errors with which the calls of each kind may fail, from their manual pages. EINTR never
+/// occurs for ever, because a call is retried after it.
 const std::map<std::string, std::vector<std::string>>& errors_of_kinds() {
   static const std::map<std::string, std::vector<std::string>> errors{
       {"open", {"EACCES", "EMFILE", "ENOSPC", "EIO", "ENOMEM"}},
@@ -133,7 +133,7 @@ std::vector<FaultPoint> all_fault_points(const std::vector<CallCounts>& counts,
   std::vector<FaultPoint> points;
   for (std::size_t i = 0, m = 0; i < calls.size() || m < memory.size(); ++i) {
     if (i < calls.size()) points.push_back(calls[i]);
-    // There are more of these, and most take less time.
+    // Memory points are more numerous, and most take less time.
     for (int n = 0; n < 2 && m < memory.size(); ++n) points.push_back(memory[m++]);
   }
   return points;

@@ -21,7 +21,7 @@ struct FaultPoint {
   std::string order() const;
 };
 
-/// Throws std::invalid_argument if the text names no such point.
+/// Throws std::invalid_argument if the text does not describe a point.
 FaultPoint parse_fault_point(const std::string& text);
 
 /// Returns the number of calls of each kind that a scenario makes, from the shim's log.
@@ -34,8 +34,8 @@ struct CallCounts {
   long memory_points = 0;             ///< maximum number of allocations to try
 };
 
-/// Returns all points in a random order given by the seed: system calls first, each of which fails
-/// once before any fails in another way, with two memory points after each.
+/// Returns all points in a random order given by the seed. Each system call fails once before any
+/// fails in another way; two memory points follow each of these points.
 std::vector<FaultPoint> all_fault_points(const std::vector<CallCounts>& counts, std::uint32_t seed);
 
 }  // namespace twrench::torture

@@ -20,7 +20,7 @@ Words joined(Words words, const Words& more) {
   return words;
 }
 
-/// Six frames.
+/// The words of a render of six frames.
 Words film(const Words& more) {
   return joined({"render", "--size", "64x48", "--duration", "6", "--fps", "6", "--speed", "6",
                  "--progress", "none", "--jobs", "2"},

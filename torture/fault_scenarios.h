@@ -23,8 +23,8 @@ struct Scenario {
 std::vector<Scenario> all_scenarios(const std::filesystem::path& twrench,
                                     const std::filesystem::path& scratch);
 
-/// Creates what exists beforehand: frames of the same and another video, videos, pictures, data.
-/// Throws std::runtime_error on failure.
+/// Creates the files that exist beforehand: frames of the same and another video, videos, pictures,
+/// data. Throws std::runtime_error on failure.
 void furnish_scenarios(const std::filesystem::path& folder, const std::filesystem::path& twrench);
 
 /// A scenario's folder before, after an undisturbed run, and after one with faults.
@@ -35,8 +35,8 @@ struct Course {
   const Snapshot& after;
 };
 
-/// Checks the files after a run that failed: existing ones must be either unchanged or complete and
-/// new, and nothing may be left that an undisturbed run does not leave.
+/// Checks the files after a run that failed: existing files must be either unchanged or complete
+/// and new, and there may be no files that an undisturbed run does not leave.
 std::vector<std::string> faults_in_files(const Course& course, const std::filesystem::path& folder);
 
 /// Checks the files after a run that succeeded: they must equal those of an undisturbed run.

@@ -1,5 +1,5 @@
 // Loaded with LD_PRELOAD: counts the calls of each kind that the program makes, and makes one of
-// them, or all from one on, fail as a full disk, a limit or a lack of memory would.
+// them, or all from one on, fail as with a full disk, a limit or a lack of memory.
 //
 //  TWRENCH_FAULT=KIND:N:ERRNO:once|always   the N-th call, from 1, fails with errno's number ERRNO
 //  TWRENCH_FAULT_LOG=FILE                   gets the number of calls of each kind when the program
@@ -7,13 +7,12 @@
 //
 // Only calls by our own code count and fail: those from the program's file, and from the C++
 // libraries that work for it (libstdc++, fmt, toml++) if the first caller outside of them is the
-// program. Calls by OpenGL drivers, LLVM, Cairo and OpenSSL always succeed: some of them abort
-// without memory, which is not ours to fix. Internal calls of libc (the mmap below a malloc, a
-// write below a printf) cannot be intercepted like this; the functions that make them can, and do
-// fail.
+// program. Calls by OpenGL drivers, LLVM, Cairo and OpenSSL always succeed: some of them abort when
+// memory runs out, which we cannot fix. Internal calls of libc (the mmap below a malloc, a write
+// below a printf) cannot be intercepted like this; the functions that make them can, and do fail.
 //
-// The functions have names of their own, and those of libc through asm labels, because libc's
-// headers declare, differently from release to release, which of them throw nothing.
+// The functions have separate C++ names, and get those of libc through asm labels, because releases
+// of libc declare different functions as noexcept.
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
@@ -65,7 +64,7 @@ struct Range {
 
 struct State {
   Range program;
-  std::array<Range, 8> helpers;  ///< the libraries that work for it, and this one
+  std::array<Range, 8> helpers;  ///< the libraries that the program uses, and this one
   std::size_t helper_count = 0;
   std::array<std::atomic<long>, kind_count> counts{};
   unsigned target = kind_count;
@@ -82,7 +81,7 @@ State& state() {
   return the_state;
 }
 
-/// Set while the shim itself runs, when nothing counts.
+/// Set while the shim itself runs; its calls are not counted.
 __attribute__((tls_model("initial-exec"))) thread_local bool inside = false;
 
 class Inside {
@@ -205,7 +204,7 @@ __attribute__((constructor)) void start() {
   ::unsetenv("LD_PRELOAD");
   ::dl_iterate_phdr(&note_library, nullptr);
   std::array<void*, 2> frames{};
-  ::backtrace(frames.data(), 2);  // loads what it needs
+  ::backtrace(frames.data(), 2);  // loads the libraries that it needs
   s.log = std::getenv("TWRENCH_FAULT_LOG");
   const char* const order = std::getenv("TWRENCH_FAULT");
   s.counts_all = order == nullptr;
@@ -231,9 +230,9 @@ void* __libc_memalign(std::size_t, std::size_t);
 }
 // NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 
-// FAULT_FUNCTION(KIND, RESULT IF IT FAILS, TYPE, NAME, (PARAMETERS), (ARGUMENTS)): stands before
-// libc's function of that name.
-// NOLINTBEGIN(bugprone-macro-parentheses): parameters and types take none
+// FAULT_FUNCTION(KIND, RESULT IF IT FAILS, TYPE, NAME, (PARAMETERS), (ARGUMENTS)): interposes
+// libc's function of that name. NOLINTBEGIN(bugprone-macro-parentheses): parameters and types take
+// none
 #define FAULT_FUNCTION(kind, failed, type, name, parameters, arguments) \
   extern "C" type fault_##name parameters __asm__(#name);               \
   extern "C" type fault_##name parameters {                             \
@@ -292,7 +291,7 @@ void* __libc_memalign(std::size_t, std::size_t);
   }
 
 using Path = const char*;
-// NOLINTNEXTLINE(performance-no-int-to-ptr): that is how it is defined
+// NOLINTNEXTLINE(performance-no-int-to-ptr): as defined by libc
 void* const no_memory = reinterpret_cast<void*>(-1);
 FAULT_OPEN(open)
 FAULT_OPEN(open64)
@@ -374,7 +373,7 @@ FAULT_ERROR(threading, pthread_create,
 
 // NOLINTEND(bugprone-macro-parentheses)
 
-// A descriptor is closed even if close reports lost data.
+// close must release the descriptor even if it reports lost data.
 extern "C" int fault_close(int file) __asm__("close");
 extern "C" int fault_close(int file) {
   const int error = failure(closing, __builtin_return_address(0));
@@ -438,7 +437,8 @@ void* allocate(std::size_t size, const void* caller) {
 
 }  // namespace
 
-// Replaces libstdc++'s, so that the callers are visible; its other operators call these, or malloc.
+// Replaces operator new of libstdc++, so that the callers are visible. The other operators call
+// these, or malloc.
 void* operator new(std::size_t size) { return allocate(size, __builtin_return_address(0)); }
 void* operator new[](std::size_t size) { return allocate(size, __builtin_return_address(0)); }
 void operator delete(void* place) noexcept { std::free(place); }

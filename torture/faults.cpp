@@ -3,8 +3,8 @@
 // over or each call has failed in every way; or the single CASE,
 // SCENARIO/KIND/NUMBER/ERRNO/once|always. Faults are: a wrong end or output of the run
 // (messages.h); existing files that are neither unchanged nor complete and new; leftovers; a run
-// that takes 120 seconds; and a repeated command, with --resume where frames are drawn, that does
-// not reach the result of an undisturbed run.
+// that takes 120 seconds; and a repeated command, with --resume if it draws frames, that does not
+// reach the result of an undisturbed run.
 //
 // A lack of memory may end a run with exit code 70 and the corresponding message or, if there is
 // not enough memory for that, without one; such runs are counted separately.
@@ -75,9 +75,9 @@ class Faults {
   const Scenario& scenario_called(const std::string& name) const;
   void run_undisturbed(const Scenario& scenario);
   static Ended run_shimmed(const Words& words, const std::string& order, const fs::path& folder);
-  /// What is wrong with the disturbed run.
+  /// Returns the faults of the disturbed run.
   Words judge(const FaultPoint& point, const Ended& ended);
-  /// What is wrong with the result of repeating the command.
+  /// Adds the faults in the result of repeating the command.
   static void go_on(const Course& course, const fs::path& folder, Words& faults, Snapshot& after);
   static void tell_of(const FaultPoint& point, const Scenario& scenario, const Ended& ended,
                       const Words& faults, const fs::path& folder);

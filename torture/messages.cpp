@@ -62,7 +62,7 @@ bool is_aside(const std::string& line) {
   return line.starts_with("twrench: note: ") || line.starts_with("twrench: warning: ");
 }
 
-/// The error and its remedy, and nothing else.
+/// Checks that there are only the error and its remedy.
 void judge_error(const Ended& run, const Manner& manner, std::vector<std::string>& faults) {
   const std::vector<std::string> lines = lines_of(run.err);
   const auto is_error = [](const std::string& line) { return line.starts_with(error_begin); };

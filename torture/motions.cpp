@@ -3,7 +3,7 @@
 // with the method `taylor`, and with the conserved quantities; every other method must return
 // numbers or an error. Exits with 1 if there was a fault.
 //
-// Case k depends only on SEED and k; CASE runs that one and prints it.
+// Case k depends only on SEED and k; CASE runs and prints a single case.
 #include <fmt/format.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/error.h>
@@ -29,8 +29,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Random numbers that are the same with every standard library; the standard distributions are
-/// not.
+/// Random numbers that are the same with every standard library, unlike those of the standard
+/// distributions.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t number) {
@@ -204,7 +204,7 @@ class Trial {
     try_another_method(body);
   }
 
-  /// Only round-off, for any t: docs/exact.md promises 6e-15 for the energy.
+  /// Errors must be only round-off for any t: docs/exact.md promises 6e-15 for the energy.
   void expect_conserved(const motion::FreeBody& body, const motion::Sample& sample) {
     const Vector3d& I = case_.moments;
     const Matrix3d& X = sample.X;
@@ -218,7 +218,7 @@ class Trial {
     expect_within("energy's drift", std::abs(energy / energy0 - 1), 8e-15);
   }
 
-  /// At the predicted times, omega's intermediate component vanishes.
+  /// Omega's intermediate component must vanish at the predicted times.
   void expect_flips(const motion::FreeBody& body, const motion::ExactMotion& exact,
                     const Condition& condition) {
     const auto flips = exact.flips();
@@ -235,7 +235,7 @@ class Trial {
   }
 
   /// Compares with Taylor series in more digits: docs/exact.md promises 2e-15 per radian. The
-  /// series starts from |omega| of about 1, to which the motion is scaled by a power of two.
+  /// motion is scaled by a power of two to |omega| of about 1.
   void expect_reference(const motion::Sample& sample, const Condition& condition) {
     using Quad = boost::multiprecision::cpp_bin_float_quad;
     const double speed = std::exp2(std::floor(std::log2(case_.omega.stableNorm())));
@@ -256,11 +256,11 @@ class Trial {
     }
   }
 
-  /// The method's own error. Where the series converges everywhere (a symmetric body), a step is as
-  /// long as 0.4 of the order, about 8 rad, where terms as large as e^8 cancel: 1e-12 per radian
-  /// covers that. A needle's steps, of a few I_1/G, are short and many: 1e-14 each. Near the
-  /// separatrix the energy, known to a few eps, determines the time of the next flip: that error is
-  /// 1/mc times larger.
+  /// Checks the method's own error. For a symmetric body the series converges everywhere, and a
+  /// step is as long as 0.4 of the order, about 8 rad. Terms as large as e^8 then cancel, which
+  /// 1e-12 per radian covers. A needle has many short steps of a few I_1/G, with 1e-14 each. Near
+  /// the separatrix the energy, known to a few eps, determines the time of the next flip, so that
+  /// error is 1/mc times larger.
   void expect_taylor(const motion::FreeBody& body, const motion::Sample& sample,
                      const Condition& condition) {
     const double units =
@@ -275,7 +275,7 @@ class Trial {
     expect_within("X against taylor", (sample.X - other.X).norm(), bound);
   }
 
-  /// Must return numbers or an error.
+  /// The method must return numbers or an error.
   void try_another_method(const motion::FreeBody& body) {
     const auto all = motion::methods();
     const motion::Method& method =

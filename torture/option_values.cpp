@@ -83,7 +83,7 @@ Values words(const Words& sensible) {
   return {values(sensible), joined({values({"Auto", "none,", "nobody"}), odd_words()})};
 }
 
-/// Each name alone, and each but the first behind the one before it.
+/// Each name alone, and each pair of consecutive names.
 template <typename Enumeration>
 Words names_and_lists() {
   const Words names = enumerator_names<Enumeration>();

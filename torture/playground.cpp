@@ -55,7 +55,7 @@ void put_meshes(const fs::path& folder) {
   put(folder / "short.stl", std::string(80, 'x') + "\xff\xff\xff\xff");
 }
 
-/// A glTF file whose nodes repeat a mesh of as many primitives.
+/// A glTF file whose nodes repeat a mesh with that many primitives.
 std::string repeating_gltf(int nodes, int primitives, int mode) {
   const auto repeated = [](const std::string& text, int count) {
     std::string all;
@@ -86,7 +86,7 @@ std::string needles(int count) {
   return text;
 }
 
-/// Small files that would take long, or much memory.
+/// Creates small files that would take much time or memory.
 void put_amplifiers(const fs::path& folder) {
   put(folder / "nodes.gltf", repeating_gltf(20000, 20000, 4));
   put(folder / "lines.gltf", repeating_gltf(20000, 20000, 1));

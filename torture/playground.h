@@ -4,7 +4,7 @@
 
 namespace twrench::torture {
 
-/// Fills the empty folder with what command lines may name: valid and broken scenes, pictures and
+/// Fills the empty folder with files for command lines: valid and broken scenes, pictures and
 /// folders of frames, links, and names that are hard to print. `twrench` draws the frames. Throws
 /// std::runtime_error on failure.
 void furnish(const std::filesystem::path& folder, const std::filesystem::path& twrench);
@@ -12,8 +12,8 @@ void furnish(const std::filesystem::path& folder, const std::filesystem::path& t
 /// Copies such a folder, and adds what cannot be copied: FIFOs, and inaccessible entries.
 void copy_playground(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Creates a folder with an ffmpeg and an ffprobe that print a warning and do what those further on
-/// in PATH do.
+/// Creates a folder with an ffmpeg and an ffprobe that print a warning and then run those later in
+/// PATH.
 void put_loud_programs(const std::filesystem::path& folder);
 
 }  // namespace twrench::torture

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Starts a program in a process group of its own, with output to files.
+/// Starts a program in a new process group, with output to files.
 pid_t start(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) {
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
@@ -45,7 +45,7 @@ pid_t start(const std::vector<std::string>& words, const fs::path& out, const fs
   return pid;
 }
 
-/// Whether it ends within this time; sets its status.
+/// Returns whether the process ends within this time; sets its status.
 bool ends_within(pid_t pid, Seconds time, int& status) {
   const auto end = Clock::now() + time;
   for (auto pause = std::chrono::microseconds(500); ::waitpid(pid, &status, WNOHANG) == 0;) {
@@ -68,8 +68,9 @@ std::string first_megabytes(const fs::path& path) {
 
 Ended run(const Program& program) {
   const fs::path out = program.said.string() + ".out", err = program.said.string() + ".err";
-  // The limits are in kilobytes, and for files in blocks of 512 bytes. Data, not address space, of
-  // which 256 threads may reserve more than that without using it.
+  // The limits are in kilobytes, and for files in blocks of 512 bytes. The limit is on data instead
+  // of address space, because 256 threads may reserve more address space than that without using
+  // it.
   std::vector<std::string> words{
       "sh", "-c",
       R"(cd "$1" && ulimit -c 0 && ulimit -d 6000000 && ulimit -f 400000 && shift && exec "$@")",

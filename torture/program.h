@@ -13,7 +13,7 @@ using Seconds = std::chrono::duration<double>;
 struct Program {
   std::vector<std::string> command;
   std::filesystem::path folder;  ///< its working directory
-  std::filesystem::path said;    ///< the output goes to files of this name with .out and .err
+  std::filesystem::path said;    ///< output goes to the files with this name and .out or .err
   Seconds until_asked{120};      ///< after which it gets SIGTERM; long, for a busy machine
   Seconds until_killed{20};      ///< after that, SIGKILL
 };
@@ -27,8 +27,8 @@ struct Ended {
   std::string out, err;
 };
 
-/// Runs the program in a process group of its own, which is killed afterwards, limited to a few
-/// gigabytes of memory and files of 200 MB, to protect the machine.
+/// Runs the program in a new process group, which is killed afterwards. To protect the machine,
+/// memory is limited to a few gigabytes and files to 200 MB.
 Ended run(const Program& program);
 
 /// Returns the words quoted for a shell, in printable characters.

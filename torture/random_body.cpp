@@ -59,7 +59,7 @@ body::TriangleMesh random_surface(SceneDice& dice, const Vector3d& radii) {
   return mesh;
 }
 
-/// What is wrong with the meshes that people have.
+/// Adds a typical flaw of real meshes.
 void damage(SceneDice& dice, body::TriangleMesh& mesh) {
   const auto triangle =
       static_cast<std::size_t>(dice.whole(0, static_cast<int>(mesh.triangles.size()) - 1));
@@ -84,7 +84,7 @@ void damage(SceneDice& dice, body::TriangleMesh& mesh) {
     case 5:
       mesh.triangles[triangle][1] = static_cast<std::uint32_t>(mesh.vertices.size());
       break;
-    default:  // a vertex that is there twice, almost in the same place
+    default:  // a duplicate of a vertex in almost the same place
       mesh.vertices.emplace_back(mesh.vertices[vertex] * (1 + dice.spread(1e-16, 1e-3)));
       if (!mesh.colors.empty()) mesh.colors.push_back(mesh.colors[vertex]);
       mesh.triangles[triangle][2] = static_cast<std::uint32_t>(mesh.vertices.size()) - 1;

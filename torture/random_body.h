@@ -6,8 +6,8 @@
 
 namespace twrench::torture {
 
-/// A body of parts, or one of inertia alone. Throws InvalidArgument where it would have a mesh that
-/// is no solid.
+/// Returns a body of parts, or a body given by its inertia alone. Throws InvalidArgument if it
+/// would have a mesh that is not a solid.
 scene::Body random_body(SceneDice& dice);
 
 inline Color random_color(SceneDice& dice) {
@@ -15,7 +15,7 @@ inline Color random_color(SceneDice& dice) {
   return {red, green, dice.whole(0, 255)};
 }
 
-/// The values that a Look and a PartLook have in common.
+/// Varies the values that are common to Look and PartLook.
 void vary(SceneDice& dice, auto& look) {
   if (dice.chance(0.2)) set_material(look, dice.pick(scene::materials()));
   if (dice.chance(0.2)) look.color = random_color(dice);

@@ -34,7 +34,7 @@ CommandEnd run_words(const fs::path& folder, const std::string& arguments) {
   return {ended.code, std::move(ended.out), std::move(ended.err)};
 }
 
-/// Returns how many faults the case has, and reports them.
+/// Reports the faults of the case and returns their number.
 int try_case(std::uint32_t seed, std::uint32_t number) {
   const RandomScene random = random_scene(seed, number);
   const fs::path folder = make_scratch_folder(fmt::format("scales-{}", number));

@@ -1,8 +1,8 @@
-// torture_scenes SECONDS SEED [CASE]: draws random scenes, valid but for some of their meshes,
+// torture_scenes SECONDS SEED [CASE]: draws random scenes, valid except for some of their meshes,
 // until the time is over, or a single one of them. Faults are: an undocumented exception, a picture
 // of the wrong size or with damaged areas beyond its edges, and a frame drawn in reused memory that
-// differs from the same frame in new memory. Layers outside the picture are assertions, and the
-// rest is for sanitizers: build with both.
+// differs from the same frame in new memory. Assertions detect layers outside the picture, and
+// sanitizers other errors, so build with both.
 //
 // Case k is made by a generator seeded only from SEED and k. Its number is printed on standard
 // error while it is drawn, so that the last one is the one that crashed.
@@ -208,7 +208,7 @@ void draw(const scene::Scene& scene, SceneDice& dice) {
 
 enum class Outcome { drawn, refused, fault };
 
-/// Expected errors are not faults, except those that report one.
+/// Expected errors are not faults, except errors that report a bug.
 Outcome run(std::uint32_t seed, std::uint32_t number, std::map<std::string, int>& refusals) {
   SceneDice dice(seed, number);
   scene::Scene scene;

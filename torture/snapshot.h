@@ -9,7 +9,7 @@ namespace twrench::torture {
 
 /// One entry of a folder, with what a run may change.
 struct Entry {
-  std::filesystem::file_type type{};  ///< a link is a link, whatever its target
+  std::filesystem::file_type type{};  ///< of a link itself, not of its target
   std::filesystem::perms mode{};
   std::string content;  ///< digest of a file, target of a link; size if not readable
 

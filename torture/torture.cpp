@@ -27,7 +27,7 @@ Request parse_request(int argc, char** argv) {
 void become_nobody(const std::string& program) {
   constexpr unsigned nobody = 65534;
   if (::geteuid() != 0) return;
-  // Tried first: sources that only root may enter hide the program from others.
+  // First tests that the program is accessible: it is not in a folder that only root may enter.
   if (::setegid(nobody) == 0 && ::seteuid(nobody) == 0 &&
       ::faccessat(AT_FDCWD, program.c_str(), X_OK, AT_EACCESS) == 0) {
     if (::seteuid(0) == 0 && ::setgroups(0, nullptr) == 0 &&

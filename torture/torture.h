@@ -16,12 +16,11 @@ struct Request {
 /// Exits with the usage if the arguments are invalid.
 Request parse_request(int argc, char** argv);
 
-/// Gives up root's rights, with which no permission is refused, if `program` can be run without
-/// them.
+/// Drops root's rights, because root has every permission, if `program` can run without them.
 void become_nobody(const std::string& program);
 
 /// Calls `work` with 0, 1, 2, ..., on all processors, until the seconds are over or `count` are
-/// done. Returns how many were.
+/// done. Returns the number of calls.
 std::size_t run_cases(double seconds, std::size_t count,
                       const std::function<void(std::uint32_t number)>& work);
 

@@ -1,7 +1,8 @@
-// torture_verdicts SECONDS SEED [CASE]: recordings of exact motions in random units, frames, axes,
-// orders and precisions, told to be something else; or a single one of them. Case k depends only on
-// SEED and k: the first are single mistakes with twenty starts of each body, then follow random
-// combinations. Faults are verdicts that propose a wrong reading, none, or more than two.
+// torture_verdicts SECONDS SEED [CASE]: checks recordings of exact motions in random units, frames,
+// axes, orders and precisions with options that describe them wrongly; or a single one of them.
+// Case k depends only on SEED and k. The first cases are single mistakes with twenty starts of each
+// body; random combinations follow. Faults are verdicts that propose a wrong reading, no reading,
+// or more than two.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ check::RandomRecording recording_of(std::uint32_t seed, std::uint32_t number) {
                                bodies[kind % bodies.size()], seed, number);
 }
 
-/// Returns whether the case is a fault, and reports it.
+/// Reports the case if it is a fault, and returns whether it is.
 bool try_case(std::uint32_t seed, std::uint32_t number) {
   const check::RandomRecording recording = recording_of(seed, number);
   const std::filesystem::path folder = make_scratch_folder(fmt::format("verdicts-{}", number));

@@ -1,18 +1,18 @@
-// Puts the page together: the state, what shows it, and what changes it.
+// Starts the page, and defines the interface for scripts.
 import { byId, showNote } from './app/dom.js';
 import { App } from './app/app.js';
 import { languageOf } from './app/state.js';
 import { readCore, readPageData } from './app/page_data.js';
 import { Core } from './core/core.js';
-import { setLanguage, word } from './words/words.js';
+import { setLanguage, setTimeUnits, word } from './words/words.js';
 
-/** What a test, or a user's own script, can ask. */
+/** The interface for tests and for users' scripts. */
 const twrench = {
   /** @type {Promise<void>} */
   ready: Promise.resolve(),
-  /** @type {Core | null} For motions of the asker's own. */
+  /** @type {Core | null} For other motions than the one shown. */
   core: null,
-  /** @param {number} t @returns {Promise<import("./core/types").Sample>} of the motion shown; of the first method where two are compared */
+  /** @param {number} t @returns {Promise<import("./core/types").Sample>} of the motion shown; of the first method if two are compared */
   sample: async (t) => (await working()).sample(t),
   /** @param {import("./app/app.js").PictureOptions} options @returns {Promise<string>} a PNG as a data URL */
   picture: async (options) => {
@@ -26,7 +26,7 @@ Object.assign(window, { twrench });
 /** @type {App | undefined} */
 let app;
 
-/** The page at work; throws where it cannot. */
+/** Waits for the page and returns it; throws if it cannot run. */
 async function working() {
   await twrench.ready;
   if (!app) throw new Error('WebGL 2 is not available in this browser');
@@ -37,6 +37,7 @@ async function start() {
   setLanguage(languageOf(navigator.languages));
   if (!document.createElement('canvas').getContext('webgl2')) return;
   const data = await readPageData();
+  setTimeUnits(data.time_units);
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
   app = new App(data, twrench.core);
 }

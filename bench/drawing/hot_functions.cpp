@@ -64,7 +64,7 @@ void Background(benchmark::State& state) {
 }
 BENCHMARK(Background)->Unit(benchmark::kMillisecond);
 
-/// A square in the middle with that fraction of the frame.
+/// A square in the middle that covers the given fraction of the frame.
 void ConvertToYuv(benchmark::State& state) {
   image::Yuv420 yuv(1920, 1080);
   const int percent = static_cast<int>(state.range(0));

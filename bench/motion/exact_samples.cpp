@@ -1,5 +1,5 @@
-// exact_samples COUNT: prints the seconds in which the default motion is evaluated at so many times
-// into arrays that are allocated for it, as bench/python.py does from Python.
+// exact_samples COUNT: prints the seconds that it takes to evaluate the default motion at COUNT
+// times into newly allocated arrays, as bench/python.py does from Python.
 #include <twrench/motion/exact.h>
 
 #include <chrono>
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     times[i] = 96.0 * static_cast<double>(i) / static_cast<double>(count - 1);
   }
   const auto start = std::chrono::steady_clock::now();
-  // Not initialised, as NumPy's arrays are not.
+  // Not initialised, like NumPy's arrays.
   const std::unique_ptr<double[]> X(new double[9 * count]), omega(new double[3 * count]);
   motion.at(times, {X.get(), 9 * count}, {omega.get(), 3 * count});
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -14,7 +14,7 @@
 namespace twrench {
 namespace {
 
-/// Tumbling about its intermediate axis.
+/// A body that tumbles about its intermediate axis.
 motion::FreeBody tumbler() {
   return motion::FreeBody(Eigen::Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02});
 }
@@ -73,16 +73,16 @@ void exact_sample(benchmark::State& state) {
 }
 BENCHMARK(exact_sample);
 
-/// CPU time for each of so many things that an iteration does.
+/// CPU time per item if an iteration processes `count` items.
 benchmark::Counter each(double count) {
   return {count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
 }
 
-/// Near the separatrix and far from it: by either of the two series.
+/// Near the separatrix and far from it, where different series apply.
 const std::array<Eigen::Vector3d, 2> velocities{Eigen::Vector3d(0.01, 1, 0.02),
                                                 Eigen::Vector3d(1, 0.5, 0.2)};
 
-/// Many times of one body, on one thread.
+/// Many times for one body, on one thread.
 void exact_samples(benchmark::State& state, const Eigen::Vector3d& omega) {
   const motion::ExactMotion motion(motion::FreeBody(Eigen::Vector3d(1, 2, 3).asDiagonal(), omega));
   std::vector<double> times(4096), X(9 * times.size()), velocity(3 * times.size());
@@ -96,7 +96,7 @@ void exact_samples(benchmark::State& state, const Eigen::Vector3d& omega) {
 BENCHMARK_CAPTURE(exact_samples, hyperbolic, velocities[0]);
 BENCHMARK_CAPTURE(exact_samples, circular, velocities[1]);
 
-/// Starting velocities all over the ellipsoid of one momentum, as for a map of the first flips.
+/// Initial velocities all over the ellipsoid of a given momentum, as for a map of the first flips.
 std::vector<double> starts(std::size_t count) {
   std::vector<double> omega;
   for (std::size_t i = 0; i < count; ++i) {
@@ -107,7 +107,7 @@ std::vector<double> starts(std::size_t count) {
   return omega;
 }
 
-/// As many times of each body as the argument says, on one thread.
+/// As many times per body as the argument gives, on one thread.
 void exact_many(benchmark::State& state) {
   const std::vector<double> inertia{1, 2, 3}, omega = starts(100);
   std::vector<double> times(static_cast<std::size_t>(state.range()));
@@ -133,7 +133,7 @@ void first_flip(benchmark::State& state) {
 }
 BENCHMARK(first_flip);
 
-/// A map of a million first flips on all processors; its real time counts.
+/// A map of a million first flips on all processors, measured in real time.
 void flip_map(benchmark::State& state) {
   const std::vector<double> inertia{1, 2, 3}, omega = starts(1'000'000);
   std::vector<double> first(omega.size() / 3);

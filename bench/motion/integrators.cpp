@@ -1,4 +1,4 @@
-// CPU time to reach an attitude error, for our integrators and other libraries'.
+// CPU time to reach an attitude error, for our integrators and those of other libraries.
 #include <fmt/format.h>
 #include <twrench/motion/exact.h>
 
@@ -114,7 +114,7 @@ void compare(const Problem& problem, int rounds) {
   for (const Candidate& candidate : candidates) scores.push_back(search(candidate, problem));
   measure(scores, problem, rounds);
   print(problem, scores);
-  static_cast<void>(std::fflush(stdout));  // what follows takes a while
+  static_cast<void>(std::fflush(stdout));  // the next step takes a while
   compare_samples(problem, rounds);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// odeint calls its system by value or reference: a small struct, so that it is inlined.
+/// odeint takes its system by value or reference; a small struct is inlined.
 template <class Form>
 struct System {
   Form form;

@@ -53,7 +53,7 @@ inline void quaternion_rate(const double* q, const double* w, double* rate) {
   rate[3] = 0.5 * (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
 }
 
-/// Euler's equations beside the quaternion: y = (omega, q).
+/// Euler's equations together with the quaternion: y = (omega, q).
 struct VelocityForm {
   static constexpr std::size_t size = 7;
   static constexpr const char* name = "omega, q";

@@ -14,7 +14,7 @@ namespace {
 
 constexpr long most_steps = 100'000;  // more would take too long to be useful
 
-/// One per program: it is not part of an integration.
+/// One per program, because creating it is not part of an integration.
 SUNContext context() {
   static const sundials::Context the_context;
   return the_context;

@@ -12,7 +12,7 @@ inline double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// CPU seconds of one call, from as many calls as take two milliseconds.
+/// CPU seconds of one call, averaged over two milliseconds of calls.
 template <class Work>
 double seconds_each(Work&& work) {
   constexpr double enough = 2e-3;

@@ -1,5 +1,6 @@
-// Shared by the C++ programs beside it: the command line, and the rows of CSV that `twrench check`
-// reads. It uses nothing of twrench, because the program under test must not depend on the judge.
+// Shared by the C++ programs in this folder: the command line, and the rows of CSV that `twrench
+// check` reads. It does not use twrench, because the programs under test must not depend on the
+// judge.
 #pragma once
 
 #include <cmath>

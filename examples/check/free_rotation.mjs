@@ -1,4 +1,4 @@
-// Shared by the JavaScript programs beside it: the command line, and the rows of CSV that
+// Shared by the JavaScript programs in this folder: the command line, and the rows of CSV that
 // `twrench check` reads.
 import process from "node:process";
 

@@ -1,6 +1,6 @@
-// A game engine's integrator, as engines have it that mind the gyroscopic torque: the angular
-// velocity is advanced in space axes by the torque -omega x (I omega) at the old orientation, the
-// orientation by the new angular velocity (semi-implicit Euler), and the quaternion is normalised.
+// The integrator of a game engine that includes the gyroscopic torque: the angular velocity is
+// advanced in space axes by the torque -omega x (I omega) at the old orientation, the orientation
+// by the new angular velocity (semi-implicit Euler), and the quaternion is normalised.
 #include <array>
 
 #include "free_rotation.h"

@@ -28,9 +28,9 @@ int main(int argc, char** argv) {
   model->opt.integrator = integrator_named(problem.variant);
   for (int i = 0; i < 3; ++i) model->body_inertia[3 + i] = problem.moments[i];
   mjData* const data = mj_makeData(model);
-  mj_setConst(model, data);  // what MuJoCo derives from the moments
-  // A free joint has its position and quaternion in qpos, and its velocity in space and angular
-  // velocity in body axes in qvel.
+  mj_setConst(model, data);  // values that MuJoCo derives from the moments
+  // qpos is the position and the quaternion of the free joint; qvel is its velocity in space axes
+  // and its angular velocity in body axes.
   for (int i = 0; i < 3; ++i) data->qvel[3 + i] = problem.omega[i];
   simulate(
       problem, [&] { mj_step(model, data); },

@@ -13,7 +13,7 @@ model.opt.timestep = problem.step;
 model.opt.integrator = integrator.value;
 model.body_inertia.set(problem.moments, 3);
 const data = new mujoco.MjData(model);
-mujoco.mj_setConst(model, data); // what MuJoCo derives from the moments
+mujoco.mj_setConst(model, data); // values that MuJoCo derives from the moments
 // qpos is the position and the quaternion of the free joint; qvel is its velocity in space axes and
 // its angular velocity in body axes.
 data.qvel.set(problem.omega, 3);

@@ -1,7 +1,7 @@
 // When does a spinning T-wrench turn over? A Runge-Kutta-Munthe-Kaas method integrates the free
 // rotation on SO(3); a search on its own steps finds the instants at which the component of omega
 // along the intermediate axis changes its sign. The closed form of the motion gives the same
-// instants without a step.
+// instants without integration.
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
 #include <twrench/study/flip_search.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
-# check.sh [OPTION...]: draws the held frames of the film again and compares them with those in
-# golden/. Options are those of `twrench compare`: --update accepts the new ones. What was drawn, and
-# a page that shows what differs, are left in out/.
+# check.sh [OPTION...]: draws the golden frames of the film again and compares them with those in
+# golden/. Options are those of `twrench compare`: --update accepts the new frames. The drawn frames
+# and a page that shows the differences remain in out/.
 set -eu
 cd "$(dirname "$0")"
 twrench=${TWRENCH-twrench}

@@ -1,8 +1,8 @@
 """From a body to a film: a table-tennis bat, thrown so that it spins about its intermediate axis.
 
 The bat is built from two homogeneous solids, a disc and a grip (lengths in cm, densities in
-g/cm^3). The exact motion says when it turns over, and the film shows it. The film is small, so that
-it is done in seconds; size=(1920, 1080) and fps=60 make one to show.
+g/cm^3). The exact motion gives the times at which it turns over, and the film shows it. The film is
+small, so that it takes seconds; size=(1920, 1080) and fps=60 make a presentable one.
 """
 
 import twrench

@@ -2,8 +2,8 @@
 
 The usual script integrates Euler's equations together with a quaternion. Libraries disagree on the
 order of its components: SciPy, ROS and Eigen's memory have (x, y, z, w), most papers (w, x, y, z).
-Four numbers in the wrong order are a valid rotation, but another one, and nothing raises an error.
-So twrench has no attribute `quaternion`: the order is part of the name.
+Four numbers in the wrong order are another valid rotation, and nothing raises an error. So twrench
+has no attribute `quaternion`: the order is part of the name.
 """
 
 import time

@@ -1,5 +1,5 @@
-"""How integration methods drift: the energy of a free body is constant, that of a numerical solution
-need not be.
+"""How integration methods drift: the energy of a free body is constant, but that of a numerical
+solution need not be.
 
 Prints the relative drift of the kinetic energy at four times for several methods with the same step,
 and how far the matrix X has left SO(3) by then. Euler's method on the matrix leaves the group; its

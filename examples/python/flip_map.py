@@ -1,8 +1,8 @@
 """The time to the first flip, over all starts on one side of the momentum sphere.
 
-A body whose principal moments are 1, 2 and 3 starts with a momentum of one size in a million
-directions; the picture looks at the sphere along the intermediate axis. The longest waits lie along
-the branch of the separatrix that leads to that axis: there the first flip never comes.
+A body whose principal moments are 1, 2 and 3 starts with momenta of the same magnitude in a million
+directions. The picture shows the sphere along the intermediate axis. The longest times lie along the
+branch of the separatrix that leads to that axis, on which the first flip never comes.
 """
 
 import sys

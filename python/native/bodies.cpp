@@ -39,7 +39,7 @@ struct Shape {
   std::vector<std::string> notes = {};
 };
 
-/// One of the package's solids.
+/// A solid of the package, converted to a part.
 struct Part {
   body::Part part;
   scene::PartDescription description;
@@ -104,7 +104,8 @@ Body body_from_parts(const std::vector<Part>& parts) {
     description.parts.push_back(part.part);
     description.descriptions.push_back(part.description);
   }
-  // Not in the braces below: where it throws there, GCC 12 destroys what stands before it twice.
+  // Not in the braces below, because GCC 12 destroys the preceding members twice if it throws
+  // there.
   const body::MassProperties properties = body::mass_properties(description.parts);
   return {description, properties};
 }

@@ -6,7 +6,7 @@
 
 namespace twrench::python {
 
-/// twrench.Body: how it was given, and the mass properties that follow.
+/// twrench.Body: its definition, and the resulting mass properties.
 struct Body {
   scene::Body description;
   body::MassProperties properties;

@@ -4,10 +4,12 @@
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/exact_many.h>
+#include <twrench/motion/polhode.h>
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -16,6 +18,7 @@
 #include "base/enumeration.h"
 #include "interruptible.h"
 #include "module.h"
+#include "scene/limits.h"
 
 namespace twrench::python {
 namespace {
@@ -64,7 +67,7 @@ py::tuple integrate(const motion::FreeBody& body, const std::string& method, dou
 }
 
 /// Calls work(begin, end) for parts of 0 to `count` without Python's global lock, and runs Python's
-/// signal handlers between them. Each item is `samples` samples of work.
+/// signal handlers between them. Each item costs as much as `samples` samples.
 template <typename Work>
 void for_parts(std::size_t count, const Work& work, std::size_t samples = 1) {
   const std::size_t part = std::max<std::size_t>((std::size_t{1} << 20U) / (samples + 1), 1);
@@ -123,7 +126,43 @@ Array first_flip_times(const Array& inertia, const Array& omega) {
   return first;
 }
 
-/// Energy, its drift, the error of orthogonality and that of the momentum, (4, n).
+/// The points of a closed curve at evenly spaced phi from 0 to 2 pi, (n, 3).
+template <class Place>
+Array points_of(const Place& place) {
+  constexpr int last = 240;
+  Array points = new_array({last + 1, 3});
+  for (int i = 0; i <= last; ++i) {
+    Eigen::Map<Vector3d>(points.mutable_data() + 3 * i) = place(2 * std::numbers::pi * i / last);
+  }
+  return points;
+}
+
+/// The curves of constant energy on the unit sphere in principal axes: for each the index of the
+/// axis that it circles, and its points.
+py::list level_curves(const Vector3d& moments, int count) {
+  py::list curves;
+  for (const motion::EnergyLevel& level : motion::level_family(moments, count)) {
+    const auto place = [&](double phi) { return level.at(phi); };
+    curves.append(py::make_tuple(static_cast<int>(level.axis), points_of(place)));
+  }
+  return curves;
+}
+
+/// The two circles of the separatrix; none for a symmetric body.
+py::list separatrix_curves(const Vector3d& moments) {
+  py::list curves;
+  const auto circles = motion::separatrix(moments);
+  if (!circles) return curves;
+  for (const Vector3d& side : *circles) {
+    const auto place = [&](double phi) -> Vector3d {
+      return std::cos(phi) * Vector3d::UnitY() + std::sin(phi) * side;
+    };
+    curves.append(points_of(place));
+  }
+  return curves;
+}
+
+/// The energy, its drift, the orthogonality error and the momentum error, (4, n).
 Array diagnose(const motion::FreeBody& body, const Array& X, const Array& omega) {
   const py::ssize_t n = omega.shape(0);
   Array result = new_array({4, n});
@@ -146,7 +185,7 @@ Array diagnose(const motion::FreeBody& body, const Array& X, const Array& omega)
   return result;
 }
 
-/// Unit quaternions (x, y, z, w), (n, 4), each the nearer of its two signs to the one before.
+/// Unit quaternions (x, y, z, w), (n, 4), each with the sign that is nearer to the previous one.
 Array quaternions(const Array& X) {
   const py::ssize_t n = X.shape(0);
   Array result = new_array({n, 4});
@@ -169,7 +208,11 @@ Array quaternions(const Array& X) {
 
 void add_dynamics(py::module_& module) {
   py::class_<motion::FreeBody>(module, "FreeBody")
-      .def(py::init<const Matrix3d&, const Vector3d&>())
+      .def(py::init([](const Matrix3d& inertia, const Vector3d& omega, const Matrix3d& attitude,
+                       const Vector3d& wheel, double energy_loss_time) {
+        return motion::FreeBody(inertia, omega, attitude, {wheel, energy_loss_time});
+      }))
+      .def_property_readonly("is_rigid", &motion::FreeBody::is_rigid)
       .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); });
   using Flips = motion::ExactMotion::Flips;
   py::class_<Flips>(module, "Flips")
@@ -177,6 +220,11 @@ void add_dynamics(py::module_& module) {
       .def_readonly("first", &Flips::first)
       .def_readonly("swing", &Flips::swing)
       .def_property_readonly("turns_over", &Flips::turns_over);
+  using Phase = motion::ExactMotion::Phase;
+  py::class_<Phase>(module, "Phase")
+      .def_readonly("period", &Phase::period)
+      .def_readonly("total", &Phase::total)
+      .def_readonly("dynamic", &Phase::dynamic);
   py::class_<motion::ExactMotion>(module, "ExactMotion")
       .def(py::init<const motion::FreeBody&>())
       .def("at", &exact_at)
@@ -186,13 +234,19 @@ void add_dynamics(py::module_& module) {
              return Array(static_cast<py::ssize_t>(times.size()), times.data());
            })
       .def_property_readonly("flips", &motion::ExactMotion::flips)
+      .def_property_readonly("phase", &motion::ExactMotion::phase)
       .def_property_readonly(
           "kind", [](const motion::ExactMotion& m) { return enumerator_name(m.kind()); });
   module.def("integrate", &integrate);
   module.def("exact_many", &exact_many);
   module.def("first_flip_times", &first_flip_times);
+  module.def("level_curves", &level_curves);
+  module.def("separatrix_curves", &separatrix_curves);
   module.def("diagnose", &diagnose);
   module.def("quaternions", &quaternions);
+  module.def("rotation", [](const Eigen::Vector4d& quaternion) -> Matrix3d {
+    return scene::limits::check_rotation("attitude", quaternion).toRotationMatrix();
+  });
 }
 
 }  // namespace twrench::python

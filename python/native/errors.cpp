@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "canvas/error.h"
+#include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/error.h"
 #include "video/error.h"
@@ -16,7 +17,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What can be done about it, in the words of the module's arguments; may be empty.
+/// The remedy in terms of the module's arguments; may be empty.
 std::string remedy_of(const motion::MotionError& error) {
   using enum motion::MotionError::Reason;
   switch (error.reason()) {
@@ -71,6 +72,7 @@ const char* type_of(const Error& error) {
   if (dynamic_cast<const canvas::MissingGlyph*>(&error)) return "SceneError";
   if (dynamic_cast<const video::FilmSizeError*>(&error)) return "SceneError";
   if (dynamic_cast<const InvalidArgument*>(&error)) return "UsageError";
+  if (dynamic_cast<const check::CheckError*>(&error)) return "UsageError";
   if (dynamic_cast<const motion::MotionError*>(&error)) return "MotionError";
   if (dynamic_cast<const gl::GlError*>(&error)) return "GlError";
   if (dynamic_cast<const video::EncoderError*>(&error)) return "EncoderError";

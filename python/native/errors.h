@@ -9,7 +9,7 @@ struct SceneError : InvalidArgument {
   explicit SceneError(const InvalidArgument& error) : InvalidArgument(error) {}
 };
 
-/// Does work on a scene, in which a value that is not allowed is a SceneError.
+/// Calls `work` on a scene and converts InvalidArgument to SceneError.
 template <typename Work>
 auto on_scene(Work work) {
   try {
@@ -19,7 +19,7 @@ auto on_scene(Work work) {
   }
 }
 
-/// From now on, errors of the libraries reach Python as the exceptions of twrench.errors.
+/// Makes errors of the libraries reach Python as the exceptions of twrench.errors.
 void register_errors();
 
 }  // namespace twrench::python

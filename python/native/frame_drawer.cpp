@@ -9,7 +9,7 @@
 
 namespace twrench::python {
 
-/// What lives on the drawing thread alone.
+/// The objects that belong to the drawing thread.
 class FrameDrawer::Canvas {
  public:
   explicit Canvas(const FrameDrawer& drawer) : drawer_(drawer) {}
@@ -38,7 +38,7 @@ FrameDrawer::~FrameDrawer() {
   if (::getpid() == process_) {
     thread_.join();
   } else {
-    thread_.detach();  // it does not exist in this process
+    thread_.detach();  // a forked process does not have the thread
   }
 }
 

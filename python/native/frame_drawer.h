@@ -14,9 +14,9 @@
 
 namespace twrench::python {
 
-/// Draws single frames of a scene for any thread, on a thread of its own, because an OpenGL context
-/// belongs to the thread that created it. Neither the thread nor the context exists before the
-/// first frame.
+/// Draws single frames of a scene on a separate thread, because an OpenGL context belongs to the
+/// thread that created it. Any thread may request a frame. The first request creates the thread and
+/// the context.
 class FrameDrawer {
  public:
   FrameDrawer(scene::Scene scene, gl::BackendChoice backend);
@@ -24,8 +24,8 @@ class FrameDrawer {
   FrameDrawer(const FrameDrawer&) = delete;
   FrameDrawer& operator=(const FrameDrawer&) = delete;
 
-  /// Returns the frame. Throws as film::RenderJob() does, and GlError in a process that was forked
-  /// from the one that created this: neither threads nor OpenGL survive that.
+  /// Returns the frame. Throws as film::RenderJob() does, and GlError in a forked process, because
+  /// neither threads nor OpenGL survive a fork.
   image::Image draw(int frame);
 
  private:

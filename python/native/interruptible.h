@@ -8,9 +8,12 @@
 
 namespace twrench::python {
 
-/// Does work on another thread, without Python's global lock, while this thread runs Python's
-/// signal handlers. If one of them raises an exception, as the one for Ctrl-C does, `work` finds
-/// its argument true, and the exception is thrown when it has returned.
+/// Thrown to end work between two of its pieces.
+struct Stopped {};
+
+/// Calls `work` on another thread, without Python's global lock, while this thread runs Python's
+/// signal handlers. If a handler raises an exception, as that for Ctrl-C does, the argument of
+/// `work` becomes true, and the exception is thrown once `work` has returned.
 template <typename Work>
 auto run_interruptibly(const Work& work) {
   namespace py = pybind11;

@@ -8,9 +8,11 @@ namespace twrench::python {
 
 void add_bodies(pybind11::module_& module);
 void add_cases(pybind11::module_& module);
+void add_checks(pybind11::module_& module);
 void add_dynamics(pybind11::module_& module);
 void add_study(pybind11::module_& module);
 void add_scenes(pybind11::module_& module);
 void add_pictures(pybind11::module_& module);
+void add_outputs(pybind11::module_& module);
 
 }  // namespace twrench::python

@@ -50,7 +50,7 @@ std::vector<Row> rows_of(const py::handle& object) {
   return rows;
 }
 
-/// Writes states, each mesh only once: pickle knows an object again.
+/// Writes states. Each mesh is written once, because pickle recognises repeated objects.
 class Writer {
  public:
   py::tuple scene(const Scene& scene);
@@ -130,7 +130,7 @@ py::tuple Writer::scene(const Scene& from) {
                         origins_state(from.origins));
 }
 
-/// Reads what Writer wrote.
+/// Reads the states that Writer wrote.
 class Reader {
  public:
   Scene scene(const py::tuple& state);
@@ -240,12 +240,12 @@ Scene Reader::scene(const py::tuple& state) {
   return made;
 }
 
-/// Calls a reader of a pickle. Throws InvalidArgument about `what` where it is not as Writer wrote
-/// it.
+/// Calls `read`. Throws InvalidArgument about `what` if the state does not have the form that
+/// Writer writes.
 template <typename Read>
 auto read_whole(const std::string& what, const Read& read) {
   const auto damaged = [&] {
-    return InvalidArgument("the pickled " + what, "it is damaged", "make it again");
+    return InvalidArgument("the pickled " + what, "is damaged", "pickle the object again");
   };
   try {
     return read();
@@ -271,10 +271,20 @@ Body body_with(const py::tuple& state) {
   });
 }
 
-py::tuple state_of(const Scene& scene) { return Writer().scene(scene); }
+py::tuple state_of(const std::vector<Scene>& scenes) {
+  Writer writer;
+  py::list states;
+  for (const Scene& scene : scenes) states.append(writer.scene(scene));
+  return states;
+}
 
-Scene scene_with(const py::tuple& state) {
-  return read_whole("scene", [&] { return Reader().scene(state); });
+std::vector<Scene> scenes_with(const py::tuple& state) {
+  return read_whole("scene", [&] {
+    Reader reader;
+    std::vector<Scene> scenes;
+    for (const py::handle& scene : state) scenes.push_back(reader.scene(scene.cast<py::tuple>()));
+    return scenes;
+  });
 }
 
 }  // namespace twrench::python

@@ -2,17 +2,20 @@
 
 #include <pybind11/pybind11.h>
 
+#include <vector>
+
 #include "body.h"
 
 namespace twrench::python {
 
-// What a body and a scene are, in Python's own types, exactly and without the files that they were
-// read from; and the body or the scene that has that state. Parts that share a mesh share it again.
+// Conversion of a body and of scenes to states in Python's own types, and back. States are exact
+// and do not depend on the files that were read. Parts that share a mesh, even in different scenes,
+// share it again.
 
 pybind11::tuple state_of(const Body& body);
 Body body_with(const pybind11::tuple& state);
 
-pybind11::tuple state_of(const scene::Scene& scene);
-scene::Scene scene_with(const pybind11::tuple& state);
+pybind11::tuple state_of(const std::vector<scene::Scene>& scenes);
+std::vector<scene::Scene> scenes_with(const pybind11::tuple& state);
 
 }  // namespace twrench::python

@@ -6,13 +6,18 @@
 #include <memory>
 #include <optional>
 
+#include "base/color.h"
+#include "base/enumeration.h"
 #include "errors.h"
 #include "film/render_job.h"
 #include "frame_drawer.h"
 #include "image/png.h"
 #include "interruptible.h"
 #include "module.h"
+#include "picture/look/theme.h"
+#include "scene/limits.h"
 #include "system/file.h"
+#include "video/encode_frames.h"
 
 namespace twrench::python {
 namespace {
@@ -31,10 +36,7 @@ py::array to_array(image::Image image) {
       owner);
 }
 
-/// Ends a run between two frames.
-struct Stopped {};
-
-/// Calls a Python function, if there is one, and ends the run where `stop` is true.
+/// Calls a Python function, if there is one, and ends the run if `stop` is true.
 film::ProgressCallback progress_for(const py::object& callback, const std::atomic<bool>& stop) {
   return [&](int done, int total) {
     if (stop) throw Stopped{};
@@ -72,6 +74,54 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
   });
 }
 
+/// Returns the number of frames.
+std::size_t encode(const fs::path& folder, const fs::path& path,
+                   const std::optional<std::string>& container, bool chapters,
+                   std::optional<int> width, bool allow_missing, bool overwrite,
+                   const py::object& progress) {
+  video::VideoOutput output{
+      path,
+      container ? video::container_named(*container) : video::container_of(path),
+      overwrite,
+      chapters,
+      {}};
+  if (width) {
+    if (!video::is_animated_image(output.container)) {
+      throw InvalidArgument("width", "only animated images are scaled", "leave it out");
+    }
+    output.width = scene::limits::check_whole(scene::limits::pixels, "width", *width);
+  }
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    int frames = 0;
+    const auto report = progress_for(progress, stop);
+    video::encode_frames(folder, output,
+                         allow_missing ? video::Missing::leave_out : video::Missing::refuse,
+                         [&](int done, int total) {
+                           frames = total;
+                           report(done, total);
+                         });
+    return static_cast<std::size_t>(frames);
+  });
+}
+
+/// The colours of a theme's overlays as "#rrggbb".
+py::dict theme_colors(const std::string& theme) {
+  const picture::OverlayColors& colors =
+      picture::style_of(find_enumerator<scene::Theme>(theme, "theme")).overlay;
+  const auto texts = [](const auto& several) {
+    std::vector<std::string> found;
+    for (const Color& color : several) found.push_back(to_string(color));
+    return found;
+  };
+  py::dict found;
+  found["axes"] = texts(colors.axis);
+  found["components"] = texts(colors.curve);
+  found["text"] = to_string(colors.text);
+  found["momentum"] = to_string(colors.momentum);
+  found["plane"] = to_string(colors.plane);
+  return found;
+}
+
 image::Image draw(FrameDrawer& drawer, int frame) {
   return run_interruptibly([&](const std::atomic<bool>&) { return drawer.draw(frame); });
 }
@@ -91,7 +141,9 @@ void add_pictures(py::module_& module) {
             run_interruptibly([&](const std::atomic<bool>&) { return image::encode_png(image); });
         return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
       });
+  module.def("theme_colors", &theme_colors);
   module.def("render", &render);
+  module.def("encode", &encode);
   module.def("container_names", [] { return video::format_texts(&video::OutputFormat::ending); });
   module.def("media_type", [](const fs::path& video) {
     return video::output_format(video::container_of(video)).media_type;

@@ -3,8 +3,12 @@
 #include <pybind11/stl/filesystem.h>
 #include <twrench/motion/trajectory.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "base/enumeration.h"
 #include "body.h"
 #include "errors.h"
 #include "module.h"
@@ -12,8 +16,10 @@
 #include "scene/fields.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
+#include "scene/materials.h"
 #include "scene/mesh_scene.h"
 #include "scene/scene_json.h"
+#include "scene/scene_schema.h"
 #include "scene/scene_values.h"
 #include "timeline/film_timeline.h"
 
@@ -43,19 +49,33 @@ void set_value(Scene& scene, const std::string& key, const std::string& json) {
   });
 }
 
-/// Nothing of weld is 0, of shell a solid, and of density and mass 1 g/cm^3.
+/// The names that arguments of the package accept.
+std::map<std::string, std::vector<std::string>> names_of_values() {
+  std::vector<std::string> methods;
+  for (const motion::Method& method : motion::methods()) methods.emplace_back(method.name);
+  return {{"MethodName", methods},
+          {"ThemeName", enumerator_names<scene::Theme>()},
+          {"MaterialName", scene::material_names()},
+          {"FrameName", enumerator_names<scene::Frame>()},
+          {"ViewName", enumerator_names<scene::View>()},
+          {"FeatureName", enumerator_names<scene::Feature>()},
+          {"ShapeName", enumerator_names<scene::Equimomental>()}};
+}
+
+/// An absent weld is 0, an absent shell makes a solid, and without density and mass the density is
+/// 1 g/cm^3.
 Scene scene_of_mesh(const std::string& file, std::optional<double> scale,
                     std::optional<double> weld, std::optional<double> shell,
                     std::optional<double> density, std::optional<double> mass) {
-  using namespace scene::limits;
+  namespace limits = scene::limits;
   return on_scene([&] {
     mesh::ReadOptions options;
-    if (scale) options.scale = check(mesh_scale, "scale", *scale);
-    if (weld) options.weld = check(length_or_none, "weld", *weld);
-    if (shell) options.shell = check(length, "shell", *shell);
+    if (scale) options.scale = limits::check(limits::mesh_scale, "scale", *scale);
+    if (weld) options.weld = limits::check(limits::length_or_none, "weld", *weld);
+    if (shell) options.shell = limits::check(limits::length, "shell", *shell);
     return scene::mesh_scene(file, options, [&](double volume) {
-      return mass ? density_of_mass("mass", *mass, volume)
-                  : check(scene::limits::density, "density", density.value_or(1.0));
+      return mass ? limits::density_of_mass("mass", *mass, volume)
+                  : limits::check(limits::density, "density", density.value_or(1.0));
     });
   });
 }
@@ -69,10 +89,13 @@ void add_scenes(py::module_& module) {
       .def_readonly("key", &Field::key)
       .def_readonly("help", &Field::help);
   module.def("fields", &scene::fields);
+  module.def("state_of_scenes", [](const std::vector<Scene>& scenes) { return state_of(scenes); });
+  module.def("scenes_with", &scenes_with);
+  module.def("names", &names_of_values);
   module.def("scene_names", &scene::builtin_scene_names);
+  module.def("scene_schema", [] { return scene::scene_schema().dump(-1, ' ', true); });
   py::class_<Scene>(module, "Scene")
       .def(py::init<const Scene&>())
-      .def(py::pickle([](const Scene& scene) { return state_of(scene); }, &scene_with))
       .def_static(
           "load",
           [](const std::string& name, const std::optional<std::string>& language) {
@@ -91,6 +114,10 @@ void add_scenes(py::module_& module) {
       .def_readonly("name", &Scene::name)
       .def("get", &get_value)
       .def("set", &set_value)
+      .def("set_number",  // which JSON cannot do for infinity
+           [](Scene& scene, const std::string& key, double value) {
+             on_scene([&] { scene::set_value(scene, key, value); });
+           })
       .def("json", [](const Scene& scene) { return scene::scene_json(scene).dump(-1, ' ', true); })
       .def_property("body", &body_of,
                     [](Scene& scene, const Body& body) {

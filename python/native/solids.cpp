@@ -22,7 +22,7 @@ std::map<std::string, std::vector<Dimension>> shapes() {
 
 body::Shape solid_called(const std::string& name, const std::vector<double>& numbers) {
   std::optional<body::Shape> solid = body::shape_named(name);
-  // A mesh is made of more than numbers.
+  // A mesh cannot be made from numbers alone.
   if (!solid || std::holds_alternative<body::Mesh>(*solid)) {
     throw InvalidArgument("shape", fmt::format("'{}' is not the name of a solid", name));
   }

@@ -10,10 +10,10 @@
 
 namespace twrench::python {
 
-/// The key of a dimension, and of how many numbers it consists.
+/// The key of a dimension, and the count of its numbers.
 using Dimension = std::pair<std::string, std::size_t>;
 
-/// Returns the dimensions of all shapes by their names.
+/// Returns the dimensions of all shapes, by the name of the shape.
 std::map<std::string, std::vector<Dimension>> shapes();
 
 /// Returns the solid with that name, which is not "mesh", from the numbers of its dimensions in

@@ -1,11 +1,14 @@
 """twrench: the torque-free rotation of rigid bodies, from the equations of motion to the film.
 
 Units are g, cm, s and rad throughout. Attitudes ``X`` are rotation matrices space_from_body, and
-angular velocities ``omega`` are in body axes; X = Id at t = 0.
+angular velocities ``omega`` are in body axes; X = Id at t = 0 unless an ``attitude`` is given.
 """
 
+from . import plots
 from ._native import version as __version__
 from .body import Body
+from .check import Check, ErrorSize, check
+from .compare import Comparison, FrameComparison, compare
 from .errors import (
     EncoderError,
     Error,
@@ -16,11 +19,13 @@ from .errors import (
     SceneError,
     UsageError,
 )
+from .film import Film, Picture, encode
 from .motion import (
     ExactMotion,
     ManyMotions,
     Method,
     Motion,
+    Phase,
     exact,
     exact_many,
     first_flip_times,
@@ -28,7 +33,7 @@ from .motion import (
     simulate,
 )
 from .published import case, cases
-from .scene import Film, Scene, scenes
+from .scene import Scene, scenes, schema
 from .solids import Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
 from .study import MethodStudy, Study, StudyRun, study
 
@@ -36,14 +41,18 @@ __all__ = [
     "Body",
     "Box",
     "Capsule",
+    "Check",
+    "Comparison",
     "Cone",
     "Cylinder",
     "Ellipsoid",
     "EncoderError",
     "Error",
+    "ErrorSize",
     "ExactMotion",
     "FileError",
     "Film",
+    "FrameComparison",
     "GlError",
     "ManyMotions",
     "Mesh",
@@ -53,6 +62,8 @@ __all__ = [
     "MotionError",
     "OverwriteError",
     "Part",
+    "Phase",
+    "Picture",
     "Scene",
     "SceneError",
     "Sphere",
@@ -64,11 +75,16 @@ __all__ = [
     "__version__",
     "case",
     "cases",
+    "check",
+    "compare",
+    "encode",
     "exact",
     "exact_many",
     "first_flip_times",
     "methods",
+    "plots",
     "scenes",
+    "schema",
     "simulate",
     "study",
 ]

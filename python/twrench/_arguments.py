@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _native
 from .errors import UsageError
 
 Array = NDArray[np.float64]
+T = TypeVar("T")
 
 
 def brief(value: Any) -> str:
-    """What a message shows of a wrong value."""
+    """A wrong value, shortened for a message."""
     if isinstance(value, np.ndarray):
         return f"an array of shape {value.shape} and type {value.dtype}"
     text = " ".join(repr(value).split())
@@ -22,7 +24,7 @@ def brief(value: Any) -> str:
 
 
 def array(name: str, value: ArrayLike, shape: tuple[int | None, ...], form: str) -> Array:
-    """A C-contiguous array of finite doubles; None in `shape` is any length, `form` describes it."""
+    """A C-contiguous array of finite doubles; None in `shape` allows any length, `form` describes it."""
     refused = UsageError(f"{name}: must be {form}, not {brief(value)}")
     try:
         given = np.asarray(value)
@@ -50,7 +52,7 @@ def vectors(name: str, value: ArrayLike) -> Array:
 
 
 def inertia(name: str, value: ArrayLike) -> Array:
-    """An inertia matrix, also from its six different entries."""
+    """An inertia matrix, given as a matrix or by its six different entries."""
     form = "an array of shape (3, 3), or Ixx, Iyy, Izz, Ixy, Ixz, Iyz"
     shape = (len(value),) if isinstance(value, (list, tuple)) else np.shape(value)
     if shape != (6,):
@@ -59,8 +61,48 @@ def inertia(name: str, value: ArrayLike) -> Array:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-def times(name: str, value: ArrayLike) -> Array:
-    return array(name, value, (None,), "a one-dimensional array of times in s")
+SPELLINGS = "np.linspace(0, 10, n) for n times, or span=(0, 10), fps=60 for evenly spaced ones"
+
+
+def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: float | None = None) -> Array:
+    """The times of samples: the given ones, or ``fps`` per second over a span with both ends."""
+    if value is None and span is None:
+        raise UsageError(f"times: must be given, or a span: {SPELLINGS}")
+    if span is not None:
+        if value is not None:
+            raise UsageError("span: cannot be combined with times")
+        return _span_times(span, 60.0 if fps is None else positive("fps", fps))
+    if fps is not None:
+        raise UsageError("fps: is for span, and times are given")
+    if isinstance(value, tuple) and len(value) == 2:
+        raise UsageError(
+            f"times: {brief(value)} could be two times or a span; write {SPELLINGS}, "
+            "or a list for exactly two times"
+        )
+    assert value is not None
+    return array("times", value, (None,), "a one-dimensional array of times in s")
+
+
+def _span_times(span: ArrayLike, fps: float) -> Array:
+    start, end = array("span", span, (2,), "two times in s, (start, end)")
+    if not start < end:
+        raise UsageError(f"span: must end after it starts, not {brief(span)}")
+    most = 10**8
+    if (end - start) * fps > most:
+        raise UsageError(f"span: has more than {most} samples at fps={fps:g}")
+    # Rounding must not leave two samples at nearly the same time at the end.
+    count = int(np.ceil((end - start) * fps * (1 - 1e-12)))
+    return np.append(start + np.arange(count) / fps, end)
+
+
+def attitude(name: str, value: Any) -> Array:
+    """The rotation matrix of a matrix, a quaternion (scalar first) or a SciPy ``Rotation``."""
+    given = value.as_matrix() if hasattr(value, "as_matrix") else value
+    form = "a quaternion (w, x, y, z), a rotation matrix (3, 3) or a SciPy Rotation"
+    shape = (len(given),) if isinstance(given, (list, tuple)) else np.shape(given)
+    if shape == (4,):
+        return _native.rotation(array(name, given, (4,), form))
+    return array(name, given, (3, 3), form)
 
 
 def indices(name: str, value: ArrayLike, count: int) -> NDArray[np.uint32]:
@@ -96,12 +138,26 @@ def positive(name: str, value: Any) -> float:
     return result
 
 
+def within(name: str, value: Any, least: float, greatest: float) -> float:
+    result = number(name, value)
+    if not least <= result <= greatest:
+        raise UsageError(f"{name}: must be from {least} to {greatest}, not {brief(value)}")
+    return result
+
+
 def whole(name: str, value: Any, least: int, greatest: int) -> int:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
         raise UsageError(f"{name}: must be an integer, not {brief(value)}")
     if not least <= int(value) <= greatest:
         raise UsageError(f"{name}: must be from {least} to {greatest}, not {int(value)}")
     return int(value)
+
+
+def instance(name: str, value: Any, kind: type[T]) -> T:
+    """Requires a value of one of the module's classes."""
+    if not isinstance(value, kind):
+        raise UsageError(f"{name}: must be a twrench.{kind.__name__}, not {brief(value)}")
+    return value
 
 
 def text(name: str, value: Any) -> str:

@@ -5,12 +5,11 @@ from __future__ import annotations
 import warnings
 from typing import Protocol, Sequence
 
-from numpy.typing import ArrayLike
-
 from . import _arguments, _native
 from ._arguments import Array
 from .errors import UsageError
-from .solids import Part, StrPath, native_parts
+from .names import Numbers, Rows, ShapeName, StrPath
+from .solids import Part, native_parts
 
 __all__ = ["Body"]
 
@@ -28,14 +27,14 @@ class Body:
     :param parts: homogeneous solids that overlap nowhere.
     :param moments: principal moments of inertia about the body's x, y and z axes in g cm^2, (3,).
     :param inertia: inertia matrix about the centre of mass in g cm^2, (3, 3), symmetric and positive
-        definite; or its six entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz, (6,), as ``fullinertia`` of
-        MuJoCo. ``Ixy`` is minus the integral of x y dm.
-    :param shape: what a body given by ``moments`` or ``inertia`` is drawn as, along its principal
-        axes: box, ellipsoid or cross.
+        definite; or its six entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz, (6,), as in MuJoCo's
+        ``fullinertia``. ``Ixy`` is minus the integral of x y dm.
+    :param shape: the solid to draw for ``moments`` or ``inertia``, along the principal axes: box,
+        ellipsoid or cross.
     :raises UsageError: for a length, a density, a moment or a mesh that no body has.
-    :raises FileError: where the file of a mesh cannot be read.
+    :raises FileError: if the file of a mesh cannot be read.
 
-    What was put right in a mesh is a warning.
+    Repairs to a mesh are reported as warnings.
 
     >>> body = Body(moments=[1, 2, 3])
     >>> body.principal_moments
@@ -50,9 +49,9 @@ class Body:
         self,
         parts: Sequence[Part] | None = None,
         *,
-        moments: ArrayLike | None = None,
-        inertia: ArrayLike | None = None,
-        shape: str | None = None,
+        moments: Numbers | None = None,
+        inertia: Numbers | Rows | None = None,
+        shape: ShapeName | None = None,
     ) -> None:
         if sum(way is not None for way in (parts, moments, inertia)) != 1:
             raise UsageError("Body: give exactly one of parts, moments and inertia")
@@ -73,8 +72,8 @@ class Body:
     def from_scene(cls, scene: StrPath | HasBody) -> Body:
         """The body of a ``scene``: a :class:`Scene`, a scene file, or the name of a built-in scene.
 
-        :raises SceneError: for a mistake in the file, or a name that no scene has.
-        :raises FileError: where the file cannot be read.
+        :raises SceneError: for a mistake in the file, or an unknown name.
+        :raises FileError: if the file cannot be read.
         """
         body = getattr(scene, "body", None)
         if isinstance(body, Body):

@@ -1,10 +1,14 @@
 """The exceptions of twrench, all of which derive from :class:`Error`.
 
-``str(error)`` is one line that names the argument or the file, says what is wrong, and usually what
-to do about it; ``error.remedy`` is that last part alone.
+``str(error)`` is one line that names the argument or the file, describes the problem and usually
+proposes a remedy; ``error.remedy`` is only the remedy.
 """
 
 from __future__ import annotations
+
+import re
+from contextlib import contextmanager
+from typing import Iterator
 
 __all__ = [
     "EncoderError",
@@ -19,7 +23,7 @@ __all__ = [
 
 
 class Error(Exception):
-    """What twrench raises for a reason that the caller can act on."""
+    """The base class of all exceptions for problems that the caller can act on."""
 
     def __init__(self, message: str, remedy: str = "") -> None:
         super().__init__(f"{message}; {remedy}" if remedy else message)
@@ -38,7 +42,7 @@ class UsageError(Error, ValueError):
 
 
 class SceneError(UsageError):
-    """A scene has a wrong value, or its file a mistake; the message names file, line and key."""
+    """A scene has a wrong value, or its file has a mistake; the message names file, line and key."""
 
 
 class MotionError(Error):
@@ -46,7 +50,7 @@ class MotionError(Error):
 
 
 class GlError(Error):
-    """There is no usable OpenGL, or it cannot draw what was asked for."""
+    """There is no usable OpenGL, or it cannot draw the requested picture."""
 
 
 class EncoderError(Error):
@@ -58,4 +62,17 @@ class FileError(Error, OSError):
 
 
 class OverwriteError(FileError):
-    """An output would replace something that it may not."""
+    """An output would overwrite something without permission."""
+
+
+def _as_arguments(text: str) -> str:
+    return re.sub(r"--([a-z][a-z-]*)", lambda option: option[1].replace("-", "_"), text)
+
+
+@contextmanager
+def argument_names() -> Iterator[None]:
+    """Replaces the options in error messages of the libraries by the arguments of the same names."""
+    try:
+        yield
+    except UsageError as error:
+        raise type(error)(_as_arguments(error.message), _as_arguments(error.remedy)) from None

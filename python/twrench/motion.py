@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
+import io
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-from numpy.typing import ArrayLike
-
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
 from .errors import UsageError
+from .names import Attitude, MethodName, Numbers, Rows, StrPath
 
 if TYPE_CHECKING:
     import pandas
+    from scipy.spatial.transform import Rotation
 
 __all__ = [
     "ExactMotion",
     "ManyMotions",
     "Method",
     "Motion",
+    "Phase",
     "exact",
     "exact_many",
     "first_flip_times",
@@ -35,32 +38,35 @@ __all__ = [
 class Method:
     """An integration method."""
 
-    #: Name, as :func:`simulate` and scenes take it.
-    name: str
-    #: Order that is observed on SO(3); None for the exact solution.
+    #: Name, for :func:`simulate` and scenes.
+    name: MethodName
+    #: Observed order on SO(3); None for the exact solution.
     order: int | None
     #: Whether it chooses its own step sizes.
     adaptive: bool
     #: Whether it conserves the energy to round-off for every step size.
     conserves_energy: bool
-    #: Whether a step of -h undoes a step of h, to round-off.
+    #: Whether a step of -h reverses a step of h, to round-off.
     reversible: bool
-    #: Where the specification or the literature defines it.
+    #: Its definition in the specification or the literature.
     source: str
-    #: What it is, in a line.
+    #: Its description, in one line.
     summary: str
 
 
 def methods() -> list[Method]:
     """All integration methods: those of the specification in its order, then the others by order."""
     return [
-        Method(m.name, m.order, m.adaptive, m.conserves_energy, m.reversible, m.source, m.summary)
+        Method(cast(MethodName, m.name), m.order, m.adaptive, m.conserves_energy, m.reversible, m.source, m.summary)
         for m in _native.methods()
     ]
 
 
+_DIAGNOSTICS = ("energy", "energy_drift", "orthogonality_error", "momentum_error")
+
+
 class Motion:
-    """A motion at n times, as NumPy arrays, with X = Id and angular velocity ``omega`` at t = 0."""
+    """A motion at n times, as NumPy arrays, with the given attitude and angular velocity at t = 0."""
 
     def __init__(
         self,
@@ -109,7 +115,7 @@ class Motion:
 
     @property
     def energy_drift(self) -> Array:
-        """Relative drift energy / energy(0) - 1, (n,)."""
+        """Relative drift energy / energy(0) - 1, (n,). If energy is lost, it is no error."""
         return self._diagnostics[1]
 
     @property
@@ -119,7 +125,7 @@ class Motion:
 
     @property
     def momentum_error(self) -> Array:
-        """Relative error ``|X I omega - L| / |L|`` of the angular momentum, (n,)."""
+        """Relative error of the angular momentum, ``|X I omega - L| / |L|`` for a rigid body, (n,)."""
         return self._diagnostics[3]
 
     @property
@@ -131,7 +137,7 @@ class Motion:
     def quaternion_xyzw(self) -> Array:
         """X as unit quaternions (x, y, z, w), (n, 4): the order of SciPy, ROS and Eigen's memory.
 
-        Of the two signs, each sample has the one nearer to the sample before.
+        The sign of each quaternion is the one nearer to the previous sample.
         """
         return _native.quaternions(np.ascontiguousarray(self.X))
 
@@ -140,10 +146,57 @@ class Motion:
         """X as unit quaternions (w, x, y, z), (n, 4): the order of most of the literature."""
         return np.roll(self.quaternion_xyzw, 1, axis=1)
 
+    @property
+    def rotation(self) -> Rotation:
+        """X as n rotations of SciPy. Raises ImportError if SciPy is not installed."""
+        from scipy.spatial.transform import Rotation
+
+        return Rotation.from_quat(self.quaternion_xyzw)
+
+    def euler(self, sequence: str, degrees: bool = False) -> Array:
+        """X as Euler angles in rad, (n, 3), by SciPy's ``Rotation.as_euler``.
+
+        :param sequence: three axes, such as ``"zyx"``: lower-case letters are fixed axes of space,
+            capital letters axes that turn with the body.
+        :param degrees: whether the angles are in degrees.
+        :raises UsageError: for an invalid ``sequence``.
+
+        Raises ImportError if SciPy is not installed.
+        """
+        rotation, axes = self.rotation, _arguments.text("sequence", sequence)
+        try:
+            return np.asarray(rotation.as_euler(axes, bool(degrees)), dtype=np.float64)
+        except ValueError as error:
+            message = f"sequence: must be three axes such as 'zyx' or 'ZYX', not {axes!r}"
+            raise UsageError(message) from error
+
+    def save(self, path: StrPath) -> Path:
+        """Writes the motion to a file, complete or not at all, and returns its path.
+
+        :param path: ``.csv`` as ``twrench simulate`` writes it, or ``.npz`` with the arrays ``t``,
+            ``X``, ``omega``, ``energy``, ``energy_drift``, ``orthogonality_error`` and
+            ``momentum_error``.
+        :raises UsageError: for another ending.
+        :raises FileError: if the file cannot be written.
+        """
+        file = Path(_arguments.path("path", path))
+        if file.suffix == ".csv":
+            X, omega = np.ascontiguousarray(self.X), np.ascontiguousarray(self.omega)
+            t = np.ascontiguousarray(self.t, dtype=np.float64)
+            _native.write_samples(str(file), self._free_body, t, X, omega)
+        elif file.suffix == ".npz":
+            bytes_of_file = io.BytesIO()
+            diagnostics = {name: getattr(self, name) for name in _DIAGNOSTICS}
+            np.savez(bytes_of_file, t=self.t, X=self.X, omega=self.omega, **diagnostics)
+            _native.write_file(file, bytes_of_file.getvalue())
+        else:
+            raise UsageError(f"path: must end in .csv or .npz, not {_arguments.brief(str(file))}")
+        return file
+
     def to_dataframe(self) -> pandas.DataFrame:
         """A pandas DataFrame: t, X11 to X33, omega_x to omega_z, energy and the three errors.
 
-        Columns have the units of the attributes. Raises ImportError where there is no pandas.
+        Columns have the units of the attributes. Raises ImportError if pandas is not installed.
         """
         import pandas
 
@@ -153,23 +206,41 @@ class Motion:
                 columns[f"X{i + 1}{j + 1}"] = self.X[:, i, j]
         for i, axis in enumerate("xyz"):
             columns[f"omega_{axis}"] = self.omega[:, i]
-        for name in ("energy", "energy_drift", "orthogonality_error", "momentum_error"):
+        for name in _DIAGNOSTICS:
             columns[name] = getattr(self, name)
         return pandas.DataFrame(columns)
 
 
-def _free_body(body: Body, omega: ArrayLike) -> _native.FreeBody:
-    if not isinstance(body, Body):
-        raise UsageError(f"body: must be a twrench.Body, not {_arguments.brief(body)}")
-    return _native.FreeBody(body.inertia, _arguments.vector("omega", omega))
+def _free_body(
+    body: Body,
+    omega: Numbers,
+    attitude: Attitude | None = None,
+    wheel: Numbers | None = None,
+    energy_loss_time: float | None = None,
+) -> _native.FreeBody:
+    _arguments.instance("body", body, Body)
+    return _native.FreeBody(
+        body.inertia,
+        _arguments.vector("omega", omega),
+        np.eye(3) if attitude is None else _arguments.attitude("attitude", attitude),
+        np.zeros(3) if wheel is None else _arguments.vector("wheel", wheel),
+        math.inf
+        if energy_loss_time is None
+        else _arguments.positive("energy_loss_time", energy_loss_time),
+    )
 
 
 def simulate(
     body: Body,
-    omega: ArrayLike,
-    times: ArrayLike,
-    method: str = "exact",
+    omega: Numbers,
+    times: Numbers | None = None,
+    method: MethodName | None = None,
     *,
+    span: Numbers | None = None,
+    fps: float | None = None,
+    attitude: Attitude | None = None,
+    wheel: Numbers | None = None,
+    energy_loss_time: float | None = None,
     step: float = 0.01,
     tolerance: float = 1e-10,
     max_steps: int = 50_000_000,
@@ -179,19 +250,28 @@ def simulate(
     :param body: the body.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
     :param times: times in s, (n,), in any order and of either sign.
-    :param method: name of one of :func:`methods`.
-    :param step: step size in s of a method of fixed steps; of an adaptive one, the first.
+    :param method: name of one of :func:`methods`; None for ``exact``, or ``taylor`` for a body with
+        a wheel or energy loss.
+    :param span: in place of ``times``, (start, end) in s, both of which are sampled.
+    :param fps: samples per second of ``span``; 60 unless given.
+    :param attitude: X(0), space_from_body: a quaternion (w, x, y, z), a matrix (3, 3) or a SciPy
+        ``Rotation``; None for the identity.
+    :param wheel: angular momentum of a wheel relative to the body, in body axes in g cm^2/s, (3,).
+    :param energy_loss_time: time constant in s with which internal friction damps a small wobble
+        about the axis of greatest moment; None if no energy is lost.
+    :param step: step size in s of a method with fixed steps; the first step of an adaptive one.
     :param tolerance: error tolerance of an adaptive method, per step.
-    :param max_steps: number of steps after which it gives up.
+    :param max_steps: maximum number of steps.
     :raises UsageError: for a wrong argument.
-    :raises MotionError: where the method fails, for a step that is too long, say.
+    :raises MotionError: if the method fails, for example because the step is too long.
 
-    A sample depends on its own time alone, bit for bit, and not on the other times. Without Python's
-    lock, and ends within a moment at Ctrl-C.
+    Each sample depends only on its own time, bit for bit, and not on the other times. The function
+    runs without Python's global lock, and Ctrl-C interrupts it at once.
     """
-    free_body = _free_body(body, omega)
-    t = _arguments.times("times", times)
-    name = _arguments.text("method", method)
+    free_body = _free_body(body, omega, attitude, wheel, energy_loss_time)
+    t = _arguments.times(times, span, fps)
+    own = "exact" if free_body.is_rigid else "taylor"
+    name = own if method is None else _arguments.text("method", method)
     X, velocity, steps, evaluations = _native.integrate(
         free_body,
         name,
@@ -203,27 +283,69 @@ def simulate(
     return Motion(free_body, t, X, velocity, name, steps, evaluations)
 
 
+@dataclass(frozen=True)
+class Phase:
+    """The rotation of a body about L in one period of its momentum in body axes.
+
+    ``X(period) X(0)^T`` is a rotation about L by ``total``, which is not reduced modulo 2 pi.
+    """
+
+    #: Period T of the momentum in body axes, in s.
+    period: float
+    #: Angle about L in rad.
+    total: float
+    #: The part 2 E T / \|L\| in rad.
+    dynamic: float
+
+    @property
+    def geometric(self) -> float:
+        """``total - dynamic`` in rad, which depends only on the path of the momentum: minus the area
+        on the unit sphere that the path of its direction encloses."""
+        return self.total - self.dynamic
+
+
 class ExactMotion:
     """The free motion of a body in closed form, at a cost that does not depend on t.
 
-    :param body: the body; symmetric ones and spheres as well.
+    :param body: the body; it may be symmetric or a sphere.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
+    :param attitude: X(0), in any form that :func:`simulate` accepts; None for the identity.
     :raises UsageError: for a wrong argument.
 
     The error of X grows as 1e-16 ``|omega| t``, and beyond that only as fast as the motion itself
-    amplifies such an error of its start. ``docs/exact.md`` derives it, with its sources.
+    amplifies such an error of its start. ``docs/exact.md`` derives the closed form, with its sources.
     """
 
-    def __init__(self, body: Body, omega: ArrayLike) -> None:
-        self._free_body = _free_body(body, omega)
+    def __init__(self, body: Body, omega: Numbers, *, attitude: Attitude | None = None) -> None:
+        self._free_body = _free_body(body, omega, attitude)
         self._native = _native.ExactMotion(self._free_body)
 
-    def at(self, times: ArrayLike) -> Motion:
-        """The motion at ``times`` in s, (n,), in any order and of either sign.
+    def __repr__(self) -> str:
+        if math.isnan(self.first_flip):
+            return f"<twrench.ExactMotion: {self.kind}, without flips>"
+        what = "flips" if self.turns_over else "wobbles through the plane normal to L"
+        if not math.isfinite(self.flip_interval):
+            return f"<twrench.ExactMotion: {self.kind}, {what} once, at {self.first_flip:.6g} s>"
+        return (
+            f"<twrench.ExactMotion: {self.kind}, {what} every {self.flip_interval:.6g} s, "
+            f"first at {self.first_flip:.6g} s>"
+        )
 
-        :raises UsageError: for times of another shape, or that are not finite.
+    def at(
+        self,
+        times: Numbers | None = None,
+        *,
+        span: Numbers | None = None,
+        fps: float | None = None,
+    ) -> Motion:
+        """The motion at given times, in any order and of either sign.
+
+        :param times: times in s, (n,).
+        :param span: instead of ``times``, (start, end) in s, both of which are sampled.
+        :param fps: samples per second of ``span``; 60 unless given.
+        :raises UsageError: for times of another shape, or times that are not finite.
         """
-        t = _arguments.times("times", times)
+        t = _arguments.times(times, span, fps)
         X, omega = self._native.at(t)
         return Motion(self._free_body, t, X, omega, "exact")
 
@@ -233,7 +355,7 @@ class ExactMotion:
         At a flip the component of omega along the intermediate axis changes its sign.
 
         :raises UsageError: for a ``t_end`` that is not finite.
-        :raises MotionError: where there are more than 10^7.
+        :raises MotionError: if there are more than 10^7.
         """
         return self._native.flip_times(_arguments.number("t_end", t_end))
 
@@ -241,16 +363,16 @@ class ExactMotion:
     def kind(self) -> str:
         """How the momentum moves in the body.
 
-        It circles the axis of least or greatest moment: ``about_least`` or ``about_greatest``; or
-        tends to the intermediate axis: ``separatrix``; or stays: ``steady``.
+        ``about_least`` or ``about_greatest``: it circles the axis of the least or greatest moment.
+        ``separatrix``: it tends to the intermediate axis. ``steady``: it does not move.
         """
         return self._native.kind
 
     @property
     def flip_interval(self) -> float:
-        """Time between flips in s; infinite on the separatrix, NaN where there are no flips.
+        """Time between flips in s; infinite on the separatrix, NaN if there are no flips.
 
-        Steady motion has none, nor has a symmetric body, which has no intermediate axis.
+        A steady motion has no flips, nor does a symmetric body, which has no intermediate axis.
         """
         flips = self._native.flips
         return flips.interval if flips else math.nan
@@ -263,7 +385,7 @@ class ExactMotion:
 
     @property
     def swing(self) -> float:
-        """The angle in rad through which the intermediate axis swings; 0 where there are no flips.
+        """The angle in rad through which the intermediate axis swings; 0 if there are no flips.
 
         Near pi the body turns over, as the T-handle does; near 0 it wobbles about a stable axis.
         """
@@ -276,13 +398,19 @@ class ExactMotion:
         flips = self._native.flips
         return flips is not None and flips.turns_over
 
+    @property
+    def phase(self) -> Phase | None:
+        """The rotation about L in one period; None for steady motion and on the separatrix."""
+        phase = self._native.phase
+        return Phase(phase.period, phase.total, phase.dynamic) if phase else None
 
-def exact(body: Body, omega: ArrayLike) -> ExactMotion:
+
+def exact(body: Body, omega: Numbers, *, attitude: Attitude | None = None) -> ExactMotion:
     """The exact motion of ``body``, whose angular velocity at t = 0 is ``omega``.
 
-    The arguments and errors are those of :class:`ExactMotion`.
+    The arguments, including ``attitude``, and the errors are those of :class:`ExactMotion`.
     """
-    return ExactMotion(body, omega)
+    return ExactMotion(body, omega, attitude=attitude)
 
 
 class ManyMotions:
@@ -303,7 +431,7 @@ class ManyMotions:
         return f"<twrench.ManyMotions: {len(self)} bodies at {len(self.t)} times>"
 
 
-def _many(inertia: ArrayLike, omega: ArrayLike) -> tuple[Array, Array]:
+def _many(inertia: Numbers | Rows, omega: Rows) -> tuple[Array, Array]:
     velocities = _arguments.vectors("omega", omega)
     if np.ndim(inertia) == 1:
         return _arguments.vector("inertia", inertia), velocities
@@ -315,25 +443,34 @@ def _many(inertia: ArrayLike, omega: ArrayLike) -> tuple[Array, Array]:
     return moments, velocities
 
 
-def exact_many(inertia: ArrayLike, omega: ArrayLike, times: ArrayLike) -> ManyMotions:
+def exact_many(
+    inertia: Numbers | Rows,
+    omega: Rows,
+    times: Numbers | None = None,
+    *,
+    span: Numbers | None = None,
+    fps: float | None = None,
+) -> ManyMotions:
     """The exact motions of many bodies at once, on all processors.
 
-    :param inertia: principal moments in g cm^2, (n, 3), or (3,) for n bodies alike. The body axes
-        are the principal axes.
+    :param inertia: principal moments in g cm^2, (n, 3), or (3,) if all n bodies have the same. The
+        body axes are the principal axes.
     :param omega: angular velocities at t = 0 in body axes in rad/s, (n, 3).
     :param times: times in s, (m,), in any order and of either sign.
-    :raises UsageError: for a wrong argument, which it names with its row.
+    :param span: in place of ``times``, (start, end) in s, both of which are sampled.
+    :param fps: samples per second of ``span``; 60 unless given.
+    :raises UsageError: for a wrong argument; the message names the argument and its row.
 
-    Each sample has the bits that ``exact(body, omega).at(times)`` gives.
+    Each sample is bit-identical to that of ``exact(body, omega).at(times)``.
     """
     moments, velocities = _many(inertia, omega)
-    t = _arguments.times("times", times)
+    t = _arguments.times(times, span, fps)
     X, result = _native.exact_many(moments, velocities, t)
     return ManyMotions(t, X, result)
 
 
-def first_flip_times(inertia: ArrayLike, omega: ArrayLike) -> Array:
-    """The time in s of each body's first flip after t = 0, (n,), infinite where there is none.
+def first_flip_times(inertia: Numbers | Rows, omega: Rows) -> Array:
+    """The time in s of each body's first flip after t = 0, (n,); infinite if there is none.
 
     The arguments, ``inertia`` and ``omega``, and the errors are those of :func:`exact_many`.
     """

@@ -1,36 +1,76 @@
-"""Scenes: a body, its motion, and how it is shown; their pictures and their film."""
+"""Scenes: a body, its motion and its presentation, with pictures and films of it."""
 
 from __future__ import annotations
 
-import base64
 import json
+import math
 import os
 import warnings
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Generic, Iterable, Optional, TypeVar, Union, cast, overload
+from typing import (
+    Any,
+    Collection,
+    Generic,
+    Iterable,
+    NoReturn,
+    Optional,
+    Sequence,
+    TypeVar,
+    cast,
+    overload,
+)
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arguments, _native
+from . import _arguments, _native, plots
 from ._arguments import Array
 from .body import Body
-from .errors import SceneError, UsageError
+from .errors import FileError, SceneError, UsageError, argument_names
+from .film import Film, Picture, Progress, frame_range, reporting
 from .motion import Motion, simulate
+from .names import (
+    Attitude,
+    BackendName,
+    ContainerName,
+    ExportFormat,
+    FeatureName,
+    FrameName,
+    MaterialName,
+    MethodName,
+    Numbers,
+    Rows,
+    StrPath,
+    ThemeName,
+    UnitName,
+    ViewName,
+)
 from .solids import mesh_scale
 
-__all__ = ["Film", "Scene", "scenes"]
+__all__ = ["Scene", "scenes", "schema"]
 
 T = TypeVar("T")
 Vector = tuple[float, float, float]
-StrPath = Union[str, "os.PathLike[str]"]
-Progress = Callable[[int, int], object]
+
+
+class _Unset:
+    """The default of an argument for which None is a value."""
+
+    def __repr__(self) -> str:
+        return "<the scene's>"
+
+
+UNSET: Any = _Unset()
 
 
 def scenes() -> list[str]:
     """The names of the built-in scenes."""
     return list(_native.scene_names())
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema (2020-12) of scene files, as printed by ``twrench schema``."""
+    return cast("dict[str, Any]", json.loads(_native.scene_schema()))
 
 
 def _as_json(key: str, value: Any) -> str:
@@ -45,7 +85,7 @@ def _as_json(key: str, value: Any) -> str:
 
     try:
         text = json.dumps(value, default=convert, allow_nan=False, ensure_ascii=False)
-        text.encode("utf-8")  # fails where there is half of a surrogate pair
+        text.encode("utf-8")  # fails for half of a surrogate pair
         return text
     except (TypeError, ValueError, RecursionError) as error:
         raise SceneError(f"{key}: cannot be {_arguments.brief(value)}") from error
@@ -56,8 +96,8 @@ def _as_tuple(value: Any) -> Any:
 
 
 class _Value(Generic[T]):
-    """A value of a scene, an attribute of :class:`Scene` with the name of its key or, where that is
-    the name of a method, another."""
+    """A value of a scene, as an attribute of :class:`Scene`. It has the name of the key unless that
+    is the name of a method."""
 
     def __init__(self, key: str = "") -> None:
         self.key = key
@@ -84,30 +124,69 @@ class _Value(Generic[T]):
         scene._drawer = None
 
 
+class _Attitude(_Value[Optional[tuple[float, float, float, float]]]):
+    """The quaternion of X(0). It can be set in any form that :func:`twrench.simulate` accepts."""
+
+    def __set__(self, scene: Scene, value: Any) -> None:
+        if value is None:
+            return super().__set__(scene, (1.0, 0.0, 0.0, 0.0))
+        try:
+            matrix = _arguments.attitude(self.key, value)
+        except UsageError as error:
+            raise SceneError(error.message, error.remedy) from error
+        x, y, z, w = _native.quaternions(matrix[None])[0].tolist()
+        super().__set__(scene, (w, x, y, z))
+
+
+class _Wheel(_Value[Optional[Vector]]):
+    """The momentum of a wheel; None for none."""
+
+    def __set__(self, scene: Scene, value: Any) -> None:
+        super().__set__(scene, (0.0, 0.0, 0.0) if value is None else value)
+
+
+class _EnergyLossTime(_Value[Optional[float]]):
+    """The time constant of the energy loss; None or infinity for none."""
+
+    def __set__(self, scene: Scene, value: Any) -> None:
+        is_none = value is None or (isinstance(value, float) and value == math.inf)
+        if not is_none:
+            return super().__set__(scene, value)
+        scene._native.set_number(self.key, math.inf)
+        scene._drawer = None
+
+
+def _keys() -> list[str]:
+    """The attributes of a scene that are keys of a scene file, with a material before the keys that
+    replace its values."""
+    return [name for name, value in vars(Scene).items() if isinstance(value, _Value)]
+
+
 class Scene:
     """Everything that determines a film.
 
     :param source: name of a built-in scene, or path of a scene file or of a mesh in OBJ, STL, PLY
         or glTF. A mesh spins about its intermediate axis, or wobbles if it is symmetric.
     :param language: code of the language of the captions and the title of a built-in story, en or
-        nb; None for that of the scene.
+        nb; None for the language of the scene.
     :param unit: unit of a mesh that is not glTF: mm, cm, m, inch or km.
-    :param scale: centimetres per unit of a mesh, in place of ``unit``.
-    :param weld: vertices of a mesh that are no farther apart than this are joined, cm.
+    :param scale: centimetres per unit of a mesh, instead of ``unit``.
+    :param weld: distance in cm up to which vertices of a mesh are joined.
     :param shell: thickness in cm of a wall along a mesh; None for a solid.
     :param density: density of a mesh in g/cm^3; 1 unless it or the mass is given.
-    :param mass: mass of a mesh in g, in place of ``density``.
-    :param values: values that replace those of the scene, by their keys in a scene file; also
-        ``body``.
-    :raises SceneError: for a mistake, which it names with file, line and key.
-    :raises FileError: where the file cannot be read.
+    :param mass: mass of a mesh in g, instead of ``density``.
+    :param body: a body that replaces that of the scene.
+    :param unknown: no other arguments are accepted; the error proposes the nearest name.
+    :raises SceneError: for a mistake; the message names file, line and key.
+    :raises FileError: if the file cannot be read.
 
-    Every key of a scene file is an attribute that can be set; ``frame`` of the camera is
-    ``camera_frame``. A value that is not allowed is refused and changes nothing.
+    Every key of a scene file is an argument, which replaces the scene's value, and an attribute that
+    can be set; ``frame`` of the camera is called ``camera_frame``. ``attitude`` is X(0), in any form
+    that :func:`simulate` accepts. An invalid value is rejected and leaves the scene unchanged.
 
-    ``step``, ``duration`` and ``speed`` follow from the motion where neither the file nor the
-    caller gives them. Another ``body`` takes the title, the times and the trail of the scene with
-    it, but not those that the caller gave.
+    ``step``, ``duration`` and ``speed`` follow from the motion unless the file or the caller gives
+    them. Replacing the ``body`` also resets the title, the times and the trail of the scene, except
+    those that the caller gave.
 
     >>> scene = Scene("dzhanibekov", size=(640, 360), method="exact")
     >>> scene.frame(100).shape
@@ -116,18 +195,21 @@ class Scene:
 
     title = _Value[str]()
     omega = _Value[Vector]()
-    method = _Value[str]()
+    attitude = _Attitude("attitude")
+    wheel = _Wheel()
+    energy_loss_time = _EnergyLossTime()
+    method = _Value[MethodName]()
     step = _Value[float]()
     tolerance = _Value[float]()
     duration = _Value[float]()
     size = _Value[tuple[int, int]]()
     fps = _Value[float]()
     speed = _Value[float]()
-    theme = _Value[str]()
+    theme = _Value[ThemeName]()
     samples = _Value[int]()
     motion_blur = _Value[int]()
     background = _Value[Optional[str]]()
-    material = _Value[Optional[str]]()
+    material = _Value[Optional[MaterialName]]()
     color = _Value[Optional[str]]()
     metallic = _Value[Optional[float]]()
     roughness = _Value[Optional[float]]()
@@ -136,11 +218,11 @@ class Scene:
     distance = _Value[float]()
     orbit = _Value[float]()
     field_of_view = _Value[float]()
-    camera_frame = _Value[str]("frame")
-    view = _Value[str]()
-    show = _Value[tuple[str, ...]]()
-    stress = _Value[Optional[tuple[str, ...]]]()
-    compare = _Value[tuple[str, ...]]()
+    camera_frame = _Value[FrameName]("frame")
+    view = _Value[ViewName]()
+    show = _Value[tuple[FeatureName, ...]]()
+    stress = _Value[Optional[tuple[FeatureName, ...]]]()
+    compare = _Value[tuple[MethodName, ...]]()
     compare_omega = _Value[Optional[tuple[Vector, ...]]]()
     trail_point = _Value[Optional[Vector]]()
     trail_length = _Value[Optional[float]]()
@@ -151,16 +233,54 @@ class Scene:
         source: StrPath = "dzhanibekov",
         *,
         language: str | None = None,
-        unit: str | None = None,
+        unit: UnitName | None = None,
         scale: float | None = None,
         weld: float | None = None,
         shell: float | None = None,
         density: float | None = None,
         mass: float | None = None,
-        **values: Any,
+        body: Body = UNSET,
+        title: str = UNSET,
+        omega: Numbers = UNSET,
+        attitude: Attitude = UNSET,
+        wheel: Numbers = UNSET,
+        energy_loss_time: float = UNSET,
+        method: MethodName = UNSET,
+        step: float = UNSET,
+        tolerance: float = UNSET,
+        duration: float = UNSET,
+        size: tuple[int, int] = UNSET,
+        fps: float = UNSET,
+        speed: float = UNSET,
+        theme: ThemeName = UNSET,
+        samples: int = UNSET,
+        motion_blur: int = UNSET,
+        background: str = UNSET,
+        material: MaterialName = UNSET,
+        color: str = UNSET,
+        metallic: float = UNSET,
+        roughness: float = UNSET,
+        azimuth: float = UNSET,
+        elevation: float = UNSET,
+        distance: float = UNSET,
+        orbit: float = UNSET,
+        field_of_view: float = UNSET,
+        camera_frame: FrameName = UNSET,
+        view: ViewName = UNSET,
+        show: Collection[FeatureName] = UNSET,
+        stress: Collection[FeatureName] = UNSET,
+        compare: Sequence[MethodName] = UNSET,
+        compare_omega: Rows = UNSET,
+        trail_point: Numbers = UNSET,
+        trail_length: float = UNSET,
+        font: StrPath = UNSET,
+        **unknown: NoReturn,
     ) -> None:
+        given = locals()  # before other local names exist
         name = _arguments.path("source", source)
-        # A built-in scene is no file.
+        self._source = name
+        self._of_mesh: dict[str, Any] = {}
+        # A built-in scene has no file.
         self._inputs = [Path(name)] if os.path.exists(name) else []
         of_mesh = {
             "unit": unit,
@@ -172,6 +292,7 @@ class Scene:
         }
         if language is None and _native.is_mesh_name(name):
             self._native = _scene_of_mesh(name, of_mesh)
+            self._of_mesh = of_mesh
         else:
             _require_no_mesh_values(name, of_mesh)
             self._native = _native.Scene.load(
@@ -179,31 +300,35 @@ class Scene:
             )
         for note in self._native.notes():
             warnings.warn(note, stacklevel=2)
+        self._original = _native.Scene(self._native)
         self._drawer: _native.FrameDrawer | None = None
-        self._set_all(values)
+        values = {key: given[key] for key in ("body", *_keys()) if given[key] is not UNSET}
+        self._set_all(values | unknown)
 
     @classmethod
     def from_toml(cls, text: str, name: str = "scene", **values: Any) -> Scene:
-        """The scene of the text of a scene file.
+        """Makes a scene from the text of a scene file.
 
         :param text: the text, in TOML.
-        :param name: what stands for the file in messages; paths of meshes start from its folder.
+        :param name: name of the file in messages; paths of meshes are relative to its folder.
         :param values: values that replace those of the text, as in :class:`Scene`.
-        :raises SceneError: for a mistake, which it names with line and key.
+        :raises SceneError: for a mistake; the message names line and key.
         """
         scene = cls.__new__(cls)
+        scene._source, scene._of_mesh = name, {}
         scene._inputs = []
         scene._native = _native.Scene.parse(
             _arguments.text("text", text), _arguments.text("name", name)
         )
         for note in scene._native.notes():
             warnings.warn(note, stacklevel=2)
+        scene._original = _native.Scene(scene._native)
         scene._drawer = None
         scene._set_all(values)
         return scene
 
     def _set_all(self, values: dict[str, Any]) -> None:
-        if "body" in values:  # first: it takes the scene's own title and times away
+        if "body" in values:  # first, because it resets the title and the times
             self.body = values["body"]
         for key, value in values.items():
             if key == "body":
@@ -211,7 +336,7 @@ class Scene:
             if isinstance(getattr(type(self), key, None), _Value):
                 setattr(self, key, value)
             else:
-                self._native.set(key, "null")  # says which keys there are
+                self._native.set(key, "null")  # raises an error that lists the keys
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_") and not hasattr(type(self), name):
@@ -220,7 +345,7 @@ class Scene:
 
     @property
     def name(self) -> str:
-        """The name of the scene, from which names of outputs derive."""
+        """The name of the scene. Names of outputs are derived from it."""
         return self._native.name
 
     @property
@@ -242,7 +367,7 @@ class Scene:
 
     @property
     def times(self) -> Array:
-        """The time of the motion that each frame shows, s, (frame_count,)."""
+        """The time of the motion in each frame, s, (frame_count,)."""
         if self._native.has_shots():
             return np.array(self._native.motion_times(), dtype=np.float64)
         return np.asarray(np.arange(self.frame_count) * self.speed / self.fps, dtype=np.float64)
@@ -255,9 +380,9 @@ class Scene:
     def simulate(self) -> Motion:
         """The motion at the times of the frames, by the scene's method.
 
-        Of a film that is told in shots, it is the scene's own motion, at steps of ``speed / fps``.
+        For a film with shots, it is the scene's own motion, at intervals of ``speed / fps``.
 
-        :raises MotionError: where the method fails.
+        :raises MotionError: if the method fails.
         """
         count = round(self.duration * self.fps / self.speed)
         return simulate(
@@ -265,19 +390,27 @@ class Scene:
             self.omega,
             np.arange(count) * self.speed / self.fps if self._native.has_shots() else self.times,
             self.method,
+            attitude=self.attitude,
+            wheel=self.wheel,
+            energy_loss_time=self.energy_loss_time,
             step=self.step,
             tolerance=self.tolerance,
         )
 
     def __copy__(self) -> Scene:
         scene = type(self).__new__(type(self))
-        scene._inputs = list(self._inputs)
+        scene.__dict__.update(vars(self))
         scene._native = _native.Scene(self._native)
         scene._drawer = None
         return scene
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"_inputs": self._inputs, "_native": self._native, "_drawer": None}
+        natives = _native.state_of_scenes([self._native, self._original])  # they share meshes
+        return {**vars(self), "_drawer": None, "_native": natives, "_original": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        natives = _native.scenes_with(state["_native"])
+        self.__dict__.update(state, _native=natives[0], _original=natives[1])
 
     def __deepcopy__(self, _: object) -> Scene:
         return self.__copy__()
@@ -292,18 +425,19 @@ class Scene:
         """Draws a frame, byte for byte as ``twrench render`` does.
 
         :param index: number of the frame, from 0; negative ones count from the end.
-        :param time: time of the motion in s, in place of ``index``: the frame nearest to it. Not
-            for a film that is told in shots, which may show a time twice.
-        :returns: (height, width, 3), sRGB; (height, width, 4) with unpremultiplied alpha where the
+        :param time: instead of ``index``, time of the motion in s, for the frame nearest to it. Not
+            for a film with shots, which may show a time twice.
+        :returns: (height, width, 3), sRGB; (height, width, 4) with unpremultiplied alpha if the
             background is transparent. Row 0 is the top.
-        :raises GlError: where there is no OpenGL.
+        :raises GlError: if there is no OpenGL.
 
-        The first call opens OpenGL and takes longer. Threads may call it; they take turns.
+        The first call opens OpenGL and takes longer. Several threads may call it; their calls are
+        serialized.
         """
         return self._drawing().frame(self._index(index, time))
 
     def png(self, index: int | None = None, *, time: float | None = None) -> bytes:
-        """A frame as the PNG file that ``twrench render`` writes.
+        """A frame as PNG, byte for byte as ``twrench render`` writes it.
 
         ``index`` or ``time``, and errors, are as in :meth:`frame`.
         """
@@ -322,16 +456,152 @@ class Scene:
             number = _arguments.whole("index", index, -count, count - 1)
             return number % count
         if self._native.has_shots():
-            raise UsageError("time: may be shown twice by a film told in shots; give index")
+            raise UsageError("time: a film with shots may show it twice; give index instead")
         number = round(_arguments.number("time", time) * self.fps / self.speed)
         last = (count - 1) * self.speed / self.fps
         if not 0 <= number < count:
             raise UsageError(f"time: must be from 0 to {last:g} s, not {time}")
         return number
 
+    def picture(self, t: float) -> Picture:
+        """The frame nearest to the time ``t`` of the motion, in s, for display in a notebook.
+
+        Errors are as in :meth:`frame`.
+        """
+        return Picture(self.png(time=t))
+
     def _repr_png_(self) -> bytes:
-        """The picture of a notebook: the frame at a quarter of the film, where trails are long."""
+        """The picture for a notebook: the frame at a quarter of the film, where trails are long."""
         return self.png(self.frame_count // 4)
+
+    def _repr_html_(self) -> str | None:
+        """The page in an iframe for a notebook; None if there is no page, and the picture is shown.
+
+        The iframe may run the scripts of the page, and has no other rights: ``sandbox`` without
+        ``allow-same-origin``.
+        """
+        try:
+            html = self._page("").html
+        except UsageError:  # It has shots or an attitude, which pages do not support.
+            return None
+        except FileError:  # This build has no page.
+            return None
+        text = html.replace("&", "&amp;").replace('"', "&quot;")
+        if len(text) > _LARGEST_PAGE:
+            return None
+        style = "width: 100%; height: 600px; border: 0"
+        return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{text}"></iframe>'
+
+    def _page(self, template: str) -> _native.Page:
+        words = _mesh_words(self._of_mesh)
+        page = _native.page(self._native, self._original, self._source, words, template)
+        for note in page.notes:
+            warnings.warn(note, stacklevel=3)
+        return page
+
+    def page(self, path: StrPath, *, template: StrPath | None = None) -> Path:
+        """Writes an HTML file with an interactive view of the motion, as ``twrench page`` does.
+
+        :param path: the file.
+        :param template: the page without a scene, as built by scripts/page.sh; None for the
+            built-in one.
+        :returns: the path. The page needs no network and no server.
+        :raises UsageError: for a scene that a page cannot show.
+        :raises FileError: if the file cannot be written, or this build has no page.
+        """
+        file = self._output(path)
+        page = self._page("" if template is None else _arguments.path("template", template))
+        _native.write_file(file, page.html.encode("utf-8"))
+        return file
+
+    def report(
+        self, path: StrPath, *, author: str = "", date: str = "", static: bool = False
+    ) -> Path:
+        """Writes a report on the motion, as ``twrench report`` does: theory, tables and figures.
+
+        :param path: the file, .html or .md; the figures of a Markdown report are files beside it.
+        :param author: name of the author, shown below the title.
+        :param date: date below the title, in any form.
+        :param static: leave out the interactive page.
+        :returns: the path.
+        :raises UsageError: for another ending.
+        :raises MotionError: if the scene's method cannot compute the motion.
+        :raises FileError: if a file cannot be written.
+        :raises Error: if gnuplot, which draws the figures, is missing or fails.
+        """
+        file = self._output(path)
+        author, date = _arguments.text("author", author), _arguments.text("date", date)
+        source = [self._source, *_mesh_words(self._of_mesh)]
+        with argument_names():
+            notes = _native.report(
+                self._native, self._original, source, str(file), author, date, bool(static)
+            )
+        for note in notes:
+            warnings.warn(note, stacklevel=2)
+        return file
+
+    def export(
+        self,
+        path: StrPath,
+        *,
+        format: ExportFormat | None = None,
+        max_angle: float = 1e-4,
+        speed: float | None = None,
+        epoch: str = "2026-01-01T00:00:00",
+    ) -> Path:
+        """Writes the motion for other programs, as ``twrench export`` does.
+
+        :param path: the file: .glb is an animated model in glTF 2.0, .aem a CCSDS attitude
+            ephemeris message, .csv and .json are samples as ``twrench simulate`` writes them.
+        :param format: glb, aem, csv or json; None to choose it by the ending of ``path``.
+        :param max_angle: for .glb, bound for the angle between the animation and the exact motion at
+            any time, rad.
+        :param speed: for .glb, seconds of motion per second of the animation; None for 1, or for the
+            speed of the film if real time is too fast or too slow.
+        :param epoch: for .aem, date and time of t = 0, TAI.
+        :returns: the path.
+        :raises UsageError: for a wrong argument or another ending.
+        :raises FileError: if the file cannot be written.
+        """
+        file = self._output(path)
+        with argument_names():
+            notes = _native.export_motion(
+                self._native,
+                str(file),
+                "" if format is None else _arguments.text("format", format),
+                _arguments.positive("max_angle", max_angle),
+                None if speed is None else _arguments.positive("speed", speed),
+                _arguments.text("epoch", epoch),
+            )
+        for note in notes:
+            warnings.warn(note, stacklevel=2)
+        return file
+
+    def plot(self, path: StrPath | None = None, *, overlay: bool = False) -> Any:
+        """Plots the nine components of X against time, with the flips marked.
+
+        :param path: a file for gnuplot to draw, .svg, .pdf or .png, as in ``twrench plot``; or None.
+        :param overlay: one panel per column of X instead of one per component.
+        :returns: a Matplotlib figure; without Matplotlib, the text of an SVG file.
+        :raises UsageError: for another ending.
+        :raises MotionError: if the scene's method cannot compute the motion.
+        :raises FileError: if the file cannot be written.
+        :raises Error: if gnuplot is needed, but is missing or fails.
+        """
+        if path is not None:
+            _native.draw_plot(self._native, str(self._output(path)), bool(overlay))
+        try:
+            from matplotlib.figure import Figure
+        except ImportError:
+            return _native.plot_svg(self._native, bool(overlay))
+        return _matplotlib_figure(Figure, self, overlay)
+
+    def _output(self, path: StrPath) -> Path:
+        """The path of an output, which must not be an input of the scene."""
+        file = Path(_arguments.path("path", path))
+        for source in self._inputs + self._native.input_files():
+            _native.require_not_input(file, source)
+        return file
 
     def render(
         self,
@@ -339,79 +609,93 @@ class Scene:
         *,
         frames_dir: StrPath | None = None,
         frames: str | Iterable[int] | None = None,
-        container: str | None = None,
+        container: ContainerName | None = None,
         chapters: bool = True,
         resume: bool = False,
         overwrite: bool = False,
         jobs: int | None = None,
-        backend: str = "auto",
-        progress: Progress | None = None,
+        backend: BackendName = "auto",
+        progress: Progress | bool = True,
     ) -> Film:
         """Draws the frames and writes the film.
 
         :param path: the video, .mp4, .mov, .mkv or .webm, or an animated image of the scene's size,
-            .gif or .webp; None for frames alone. All but .mp4 and .mkv keep a transparent
+            .gif or .webp; None for only the frames. All except .mp4 and .mkv keep a transparent
             ``background``.
-        :param frames_dir: folder for the frames as PNG, with their manifest; None for a video alone.
+        :param frames_dir: folder for the frames as PNG, with their manifest; None for only a video.
         :param frames: numbers of the frames, or a range such as ``"0-99:3"``; None for all.
-        :param container: mp4, mov, mkv, webm, gif or webp, if the ending of ``path`` does not say.
-        :param chapters: make the flips chapters of a video.
-        :param resume: keep the intact frames of this scene that are there.
+        :param container: mp4, mov, mkv, webm, gif or webp; None to choose it by the ending of ``path``.
+        :param chapters: start a chapter of the video at each flip.
+        :param resume: keep existing intact frames of this scene.
         :param overwrite: replace frames and a video of another scene.
         :param jobs: number of threads that compress frames, 1 to 256; None: half the
             processors, at most 8.
         :param backend: auto, osmesa or egl.
-        :param progress: is called with the numbers of frames done and of all, after each frame. An
+        :param progress: True shows a tqdm bar if tqdm is installed; False shows nothing. A function is
+            called after each frame with the number of finished frames and of all frames; an
             exception that it raises ends the run.
-        :raises UsageError: where the container cannot keep a transparent background.
-        :raises OverwriteError: where something else would be overwritten.
-        :raises EncoderError: where ffmpeg is missing or fails.
-        :raises FileError: where something cannot be written.
-        :raises GlError: where there is no OpenGL.
+        :raises UsageError: if the container cannot keep a transparent background.
+        :raises OverwriteError: if another file would be overwritten.
+        :raises EncoderError: if ffmpeg is missing or fails.
+        :raises FileError: if a file cannot be written.
+        :raises GlError: if there is no OpenGL.
 
-        A video appears when it is complete, and not at all otherwise. Whatever ends the run, Ctrl-C
-        included, the frames that are there are whole and ``resume=True`` continues.
+        A video appears only when it is complete. However the run ends, even by Ctrl-C, the existing
+        frames are complete, and ``resume=True`` continues the run.
         """
         if path is None and frames_dir is None:
             raise UsageError("render: give path, frames_dir or both")
         if resume and overwrite:
             raise UsageError("render: resume keeps frames and overwrite replaces them; give one")
-        if progress is not None and not callable(progress):
-            raise UsageError(f"progress: must be callable, not {_arguments.brief(progress)}")
         video = None if path is None else Path(_arguments.path("path", path))
         folder = None if frames_dir is None else Path(_arguments.path("frames_dir", frames_dir))
         existing = "overwrite" if overwrite else "resume" if resume else "none"
         inputs = self._inputs + self._native.input_files()
-        count = _native.render(
-            self._native,
-            video,
-            None if container is None else _arguments.text("container", container),
-            bool(chapters),
-            folder,
-            _range(frames),
-            existing,
-            None if jobs is None else _arguments.whole("jobs", jobs, 1, 256),
-            _arguments.text("backend", backend),
-            inputs,
-            progress,
-        )
+        chosen = None if container is None else _arguments.text("container", container)
+        selected = frame_range(frames)
+        threads = None if jobs is None else _arguments.whole("jobs", jobs, 1, 256)
+        drawn_by = _arguments.text("backend", backend)
+        with reporting(progress) as report:
+            count = _native.render(
+                self._native,
+                video,
+                chosen,
+                bool(chapters),
+                folder,
+                selected,
+                existing,
+                threads,
+                drawn_by,
+                inputs,
+                report,
+            )
         return Film(video, folder, count)
 
 
-def _range(frames: str | Iterable[int] | None) -> str:
-    if frames is None:
-        return ""
-    if isinstance(frames, str):
-        if not frames:
-            raise UsageError("frames: must be a range such as '0-99', not an empty string")
-        return frames
-    try:
-        numbers = [_arguments.whole("frames", number, 0, 10**7) for number in frames]
-    except TypeError as error:
-        raise UsageError(f"frames: must be integers, not {_arguments.brief(frames)}") from error
-    if not numbers:
-        raise UsageError("frames: must name one frame at least")
-    return ",".join(str(number) for number in numbers)
+#: Maximum number of characters of a page in a notebook, which would otherwise become too large.
+_LARGEST_PAGE = 500_000
+
+
+def _mesh_words(of_mesh: dict[str, Any]) -> list[str]:
+    """The options of a mesh on the command line that pages and reports show."""
+    words: list[str] = []
+    for key, value in of_mesh.items():
+        if value is not None:
+            words += [f"--{key}", value if isinstance(value, str) else f"{value:.17g}"]
+    return words
+
+
+def _matplotlib_figure(make: Any, scene: Scene, overlay: bool) -> Any:
+    """The plot as a figure without a window."""
+    t, X, flips = _native.attitude_curve(scene._native)
+    figure = make(figsize=(10, 3 if overlay else 7), layout="constrained")
+    figure.suptitle(scene.title or scene.name)
+    axes = figure.subplots(1 if overlay else 3, 3, sharex=True, sharey=True, squeeze=False)
+    plots.draw_components(axes[0] if overlay else axes, t, X, "paper")
+    for panel in axes.flat:
+        for flip in flips:
+            panel.axvline(flip, color="0.6", linewidth=0.6, linestyle="--")
+    return figure
 
 
 def _require_no_mesh_values(name: str, of_mesh: dict[str, Any]) -> None:
@@ -430,28 +714,3 @@ def _scene_of_mesh(file: str, of_mesh: dict[str, Any]) -> _native.Scene:
     return _native.Scene.of_mesh(
         file, mesh_scale(of_mesh["unit"], of_mesh["scale"]), **numbers
     )
-
-
-@dataclass(frozen=True)
-class Film:
-    """What :meth:`Scene.render` wrote. In a notebook it plays."""
-
-    #: The video; None if none was written.
-    path: Path | None
-    #: The folder of the frames; None if none were written.
-    frames_dir: Path | None
-    #: The number of frames.
-    frame_count: int
-
-    def _repr_html_(self) -> str | None:
-        if self.path is None:
-            return None
-        data = base64.b64encode(self.path.read_bytes()).decode("ascii")
-        try:
-            media_type = _native.media_type(self.path)
-        except UsageError:  # The ending does not say what the container is.
-            media_type = "video/mp4"
-        source = f'style="max-width: 100%" src="data:{media_type};base64,{data}"'
-        if media_type.startswith("image/"):
-            return f"<img {source}>"
-        return f"<video controls loop {source}></video>"

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from os import PathLike
-from typing import ClassVar, Sequence, Union
+from dataclasses import dataclass
+from typing import Callable, ClassVar, Optional, Sequence, TypeVar, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _arguments, _native
+from ._arguments import Array
 from .errors import UsageError
+from .names import MaterialName, Numbers, Rows, StrPath, UnitName
 
 __all__ = [
     "Box",
@@ -25,35 +26,50 @@ __all__ = [
     "Tube",
 ]
 
-StrPath = Union[str, "PathLike[str]"]
+T = TypeVar("T")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Solid:
     """A homogeneous solid, placed in the frame in which the body is described."""
 
-    _name: ClassVar[str]  # in scene files; its dimensions are attributes
+    _name: ClassVar[str]  # its name in scene files; its dimensions are attributes
+
+    def __post_init__(self) -> None:
+        self._refusing_by_name(self._check)
+
+    def _refusing_by_name(self, work: Callable[[], T]) -> T:
+        """Calls `work`; the messages of its errors name this solid."""
+        try:
+            return work()
+        except UsageError as error:
+            solid = type(self).__name__ + (f" {self.name!r}" if self.name else "")
+            raise UsageError(f"{solid}: {error.message}", error.remedy) from None
+
+    def _check(self) -> None:
+        self._place_and_look()
+        self._shape().volume  # rejects invalid dimensions
 
     #: Density in g/cm^3; give it or ``mass``.
     density: float | None = None
     #: Position of the solid's own origin in cm, three numbers.
-    position: ArrayLike = (0.0, 0.0, 0.0)
+    position: Numbers = (0.0, 0.0, 0.0)
     #: Direction of the solid's own z axis, three numbers of any length but 0; or None.
-    axis: ArrayLike | None = None
-    #: Rotation vector in rad, three numbers, in place of ``axis``; or None.
-    rotation: ArrayLike | None = None
-    #: Mass in g, in place of ``density``.
-    mass: float | None = field(default=None, kw_only=True)
+    axis: Numbers | None = None
+    #: Rotation vector in rad, three numbers, instead of ``axis``; or None.
+    rotation: Numbers | None = None
+    #: Mass in g, instead of ``density``.
+    mass: float | None = None
     #: Its name; parts with the same name belong together.
-    name: str = field(default="", kw_only=True)
-    #: How it looks: steel, brass, wood, plastic, rubber, rock or paper; None: as its scene says.
-    material: str | None = field(default=None, kw_only=True)
-    #: #rrggbb, #rgb, black, gray or white, in place of the material's colour.
-    color: str | None = field(default=None, kw_only=True)
-    #: 0 (paint) to 1 (metal), in place of the material's.
-    metallic: float | None = field(default=None, kw_only=True)
-    #: 0.05 (mirror) to 1 (chalk), in place of the material's.
-    roughness: float | None = field(default=None, kw_only=True)
+    name: str = ""
+    #: Steel, brass, wood, plastic, rubber, rock or paper; None for the look of the scene.
+    material: MaterialName | None = None
+    #: #rrggbb, #rgb, black, gray or white, instead of the material's colour.
+    color: str | None = None
+    #: Metalness, 0 (paint) to 1 (metal), instead of the material's.
+    metallic: float | None = None
+    #: Roughness, 0.05 (mirror) to 1 (chalk), instead of the material's.
+    roughness: float | None = None
 
     def _shape(self) -> _native.Shape:
         numbers: list[float] = []
@@ -69,20 +85,22 @@ class Solid:
         return None
 
     def _native_part(self) -> _native.Part:
+        return _native.Part(self._refusing_by_name(self._shape), *self._place_and_look())
+
+    def _place_and_look(self) -> _PlaceAndLook:
         if self.axis is not None and self.rotation is not None:
             raise UsageError("rotation: cannot be combined with axis")
         axis = None if self.axis is None else _arguments.vector("axis", self.axis)
         if axis is not None and not axis.any():
             raise UsageError("axis: must not be zero")
         rotation = None if self.rotation is None else _arguments.vector("rotation", self.rotation)
-        density = _number_or_none("density", self.density)
-        if (density is None) == (self.mass is None):
+        if (self.density is None) == (self.mass is None):
             raise UsageError("density: give exactly one of density and mass")
+        density = None if self.density is None else _arguments.positive("density", self.density)
         mass = 0.0 if self.mass is None else _arguments.positive("mass", self.mass)
         position = _arguments.vector("position", self.position)
         name = _arguments.text("name", self.name)
-        shape, look = self._shape(), self._look()
-        return _native.Part(shape, density, mass, position, axis, rotation, name, look)
+        return density, mass, position, axis, rotation, name, self._look()
 
     def _look(self) -> _native.Look:
         return _native.Look(
@@ -92,6 +110,11 @@ class Solid:
             _number_or_none("roughness", self.roughness),
             self._crease(),
         )
+
+
+_PlaceAndLook = tuple[
+    Optional[float], float, Array, Optional[Array], Optional[Array], str, _native.Look
+]
 
 
 def _number_or_none(name: str, value: float | None) -> float | None:
@@ -117,7 +140,7 @@ class Box(Solid):
     _name = "box"
 
     #: Lengths of the edges along its own x, y and z axes in cm.
-    size: ArrayLike
+    size: Numbers
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,7 +150,7 @@ class Ellipsoid(Solid):
     _name = "ellipsoid"
 
     #: Semi-axes along its own x, y and z axes in cm.
-    radii: ArrayLike
+    radii: Numbers
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -138,7 +161,7 @@ class Sphere(Solid):
     radius: float
 
     def _shape(self) -> _native.Shape:
-        return _native.solid("ellipsoid", 3 * [_arguments.number("radius", self.radius)])
+        return _native.solid("ellipsoid", 3 * [_arguments.positive("radius", self.radius)])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -198,8 +221,8 @@ class Tube(Solid):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh(Solid):
-    """The solid inside a closed surface of triangles, or a thin wall along a surface, with the origin
-    of the surface's coordinates.
+    """The solid inside a closed surface of triangles, or a thin wall along a surface. Its origin is
+    that of the surface's coordinates.
 
     The surface is a ``file``, or ``vertices`` and ``triangles``. It is read and checked when a
     :class:`Body` is made of it.
@@ -207,20 +230,23 @@ class Mesh(Solid):
 
     _name = "mesh"
 
+    def _check(self) -> None:
+        self._place_and_look()
+
     #: An OBJ, STL, PLY or glTF file, or the name of a built-in mesh.
     file: StrPath | None = None
     #: Coordinates of the vertices, (n, 3).
-    vertices: ArrayLike | None = None
+    vertices: Rows | None = None
     #: Indices of the vertices of each triangle, counter-clockwise as seen from outside, (m, 3).
-    triangles: ArrayLike | None = None
+    triangles: Rows | None = None
     #: sRGB colours of ``vertices``, each component from 0 to 1, (n, 3).
-    colors: ArrayLike | None = None
+    colors: Rows | None = None
     #: Unit of the coordinates: mm, cm, m, inch or km. A file in glTF needs none, and arrays without
     #: one are in cm.
-    unit: str | None = None
-    #: Centimetres per unit, in place of ``unit``.
+    unit: UnitName | None = None
+    #: Centimetres per unit, instead of ``unit``.
     scale: float | None = None
-    #: Vertices that are no farther apart than this are joined, cm.
+    #: Distance in cm up to which vertices are joined.
     weld: float = 0.0
     #: Thickness of the wall in cm; None for a solid.
     shell: float | None = None
@@ -237,7 +263,7 @@ class Mesh(Solid):
                 raise UsageError("file: cannot be combined with vertices, triangles and colors")
             return _native.mesh_of_file(_arguments.path("file", self.file), scale, weld, shell)
         if self.vertices is None or self.triangles is None:
-            raise UsageError("Mesh: give either file, or vertices and triangles")
+            raise UsageError("vertices: give either file, or vertices and triangles")
         vertices = _arguments.vectors("vertices", self.vertices)
         triangles = _arguments.indices("triangles", self.triangles, len(vertices))
         colors = self._vertex_colors(len(vertices))
@@ -257,7 +283,7 @@ class Mesh(Solid):
 
 
 def mesh_scale(unit: str | None, scale: float | None) -> float | None:
-    """The centimetres per unit of a mesh; None if nothing says it."""
+    """The centimetres per unit of a mesh; None if neither argument is given."""
     if unit is None:
         return None if scale is None else _arguments.positive("scale", scale)
     if scale is not None:

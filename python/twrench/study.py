@@ -1,4 +1,4 @@
-"""Methods compared with the exact solution."""
+"""Comparison of methods with the exact solution."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
 from .errors import UsageError
 from .motion import _free_body
+from .names import MethodName, Numbers
 
 if TYPE_CHECKING:
     import pandas
@@ -26,7 +26,7 @@ class StudyRun:
 
     #: Name of the method.
     method: str
-    #: Step size in s; of an adaptive method, the mean of the accepted ones.
+    #: Step size in s; for an adaptive method, the mean of the accepted steps.
     step: float
     #: Tolerance of an adaptive method; otherwise None.
     tolerance: float | None
@@ -34,7 +34,7 @@ class StudyRun:
     failure: str
     #: Frobenius norm of X - X_exact at the end.
     error: float
-    #: The same at :attr:`Study.early`.
+    #: The same norm at :attr:`Study.early`.
     early_error: float
     #: Largest relative energy drift of all steps.
     energy_drift: float
@@ -82,7 +82,7 @@ class Study:
     def to_dataframe(self) -> pandas.DataFrame:
         """A pandas DataFrame with a row for each run, and the fields of :class:`StudyRun`.
 
-        Raises ImportError where there is no pandas.
+        Raises ImportError if pandas is not installed.
         """
         import pandas
 
@@ -110,12 +110,12 @@ def _run(method: str, run: _native.StudyRun) -> StudyRun:
 
 def study(
     body: Body,
-    omega: ArrayLike,
-    methods: Sequence[str],
+    omega: Numbers,
+    methods: Sequence[MethodName],
     *,
     duration: float,
-    steps: ArrayLike = (0.08, 0.04, 0.02, 0.01),
-    tolerances: ArrayLike = (1e-4, 1e-6, 1e-8, 1e-10),
+    steps: Numbers = (0.08, 0.04, 0.02, 0.01),
+    tolerances: Numbers = (1e-4, 1e-6, 1e-8, 1e-10),
 ) -> Study:
     """Runs methods over a ladder of step sizes, or tolerances, and compares them with the exact motion.
 
@@ -123,9 +123,9 @@ def study(
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
     :param methods: names of methods.
     :param duration: duration of the motion in s.
-    :param steps: step sizes in s of the methods of fixed steps, (n,).
+    :param steps: step sizes in s of the methods with fixed steps, (n,).
     :param tolerances: error tolerances of the adaptive methods, (m,).
-    :raises UsageError: for a wrong argument. A method that fails is a run with a ``failure``.
+    :raises UsageError: for a wrong argument. If a method fails, its run has a ``failure`` instead.
     """
     if isinstance(methods, str) or not all(isinstance(name, str) for name in methods):
         raise UsageError(f"methods: must be a list of names, not {_arguments.brief(methods)}")

@@ -20,7 +20,7 @@ ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "|=", "&=", "<<", "<<=", ">>="
 NO_EXPRESSION = set("""break case class const constexpr continue default delete do else enum explicit extern for
 friend goto if inline namespace new private protected public return static struct switch template throw
 typedef typename using virtual void while""".split())
-# Declarations in which nothing is computed when the program runs.
+# Declarations without run-time code.
 DECLARATIONS = {"static_assert", "using", "typedef", "asm"}
 
 TOKEN = re.compile(r"""
@@ -70,7 +70,7 @@ class Code:
         return self.tokens[i] if 0 <= i < len(self.tokens) else Token("", "", end, end)
 
     def is_spaced(self, i: int) -> bool:
-        """Whether blanks surround the token. clang-format sets binary operators so, and no brackets."""
+        """Whether blanks surround the token, as clang-format sets binary operators but not brackets."""
         t = self.tokens[i]
         return self.text[t.start - 1 : t.start].isspace() and self.text[t.end : t.end + 1].isspace()
 
@@ -224,7 +224,7 @@ def room_of(file: str) -> str:
 
 def draw(changes: list[Change], lines: dict[str, int], seed: int) -> Iterator[Change]:
     """Yields each change once, in an order that depends on the seed. Each room gets a share in proportion
-    to the square root of its lines, and each kind that a room has is equally likely."""
+    to the square root of its lines, and each kind of change in a room is equally likely."""
     rng = random.Random(seed)
     pools: dict[str, dict[str, list[Change]]] = {}
     for change in changes:

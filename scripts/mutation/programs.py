@@ -1,4 +1,4 @@
-"""The test programs: which there are, how ctest runs them, and running them within limits."""
+"""The test programs: their list, their commands from ctest, and running them within limits."""
 from __future__ import annotations
 
 import json
@@ -16,7 +16,7 @@ from typing import Any
 FAILED = re.compile(r"^(?:\[  FAILED  \]|FAILED|ERROR) (\S+)", re.MULTILINE)
 STARTED = re.compile(r"^\[ RUN      \] (\S+)", re.MULTILINE)
 MAX_DATA = 6 << 30  # bytes of each process
-MAX_FILE = 8 << 30  # a test makes a sparse file of 6 GiB
+MAX_FILE = 8 << 30  # because a test makes a sparse file of 6 GiB
 MAX_SILENCE = 120.0  # seconds without output; no test takes as long
 
 
@@ -53,13 +53,14 @@ class Outcome:
 
 
 def list_programs(build: Path) -> list[Program]:
-    """Reads the tests from ctest. The cases of a GoogleTest program are run by one process per processor."""
+    """Reads the tests from ctest. The cases of a GoogleTest program are run by one process per processor,
+    whether ctest lists the program or its cases."""
     text = subprocess.run(["ctest", "--test-dir", str(build), "--show-only=json-v1"],
                           capture_output=True, text=True, check=True).stdout
     programs: dict[str, Program] = {}
     for test in json.loads(text)["tests"]:
         command = test.get("command") or [""]
-        is_gtest = any(word.startswith("--gtest_filter=") for word in command)
+        is_gtest = Path(command[0]).name.endswith("_test")
         name = Path(command[0]).name if is_gtest else test["name"].split(".")[0]
         job = _job(test, command[:1] if is_gtest else command)
         program = programs.setdefault(name, Program(name, Path(job.folder).name))
@@ -86,7 +87,7 @@ def _shard(job: Job, index: int, count: int) -> Job:
 
 
 class Process:
-    """A child in a process group that is killed at the end; its output goes to a file."""
+    """A child in a process group that is killed at the end. Its output goes to a file."""
 
     def __init__(self, job: Job, log: Path, kept_open: Sequence[int]) -> None:
         self.job, self.log = job, log
@@ -107,7 +108,7 @@ class Process:
         return time.time() - self.log.stat().st_mtime > MAX_SILENCE
 
     def failure(self) -> str:
-        """Describes the failing test after the end; "" if it passed."""
+        """Describes the failing test after the process has ended; "" if it passed."""
         code, output = self.child.returncode, self.output()
         if code == 0 and self.job.expected is None:
             return ""
@@ -119,7 +120,7 @@ class Process:
         return failed[1] if failed else f"{self.job.name} (exit code {code})"
 
     def kill(self) -> None:
-        """Ends the group: at first with SIGTERM, at which ninja ends the groups of its compilers."""
+        """Ends the group, first with SIGTERM, so that ninja ends the groups of its compilers."""
         for number in (signal.SIGTERM, signal.SIGKILL):
             try:
                 os.killpg(self.child.pid, number)

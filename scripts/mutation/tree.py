@@ -84,7 +84,7 @@ class Tree:
         return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
     def read_graph(self, programs: list[Program]) -> None:
-        """Records, of the unchanged build, which objects a source is in and what each program consists of."""
+        """Records, for the unchanged build, the objects of each source and the parts of each program."""
         self.outputs = [line.rsplit(": ", 1)[0] for line in self._query("targets", "all").splitlines()]
         known, self.objects, current = set(self.outputs), defaultdict(set), ""
         for line in self._query("deps").splitlines():
@@ -102,7 +102,7 @@ class Tree:
             program.binaries = {file: self.digest(file) for file in files if (self.build / file).is_file()}
 
     def _targets(self, program: Program, known: set[str]) -> set[str]:
-        """The targets of ninja among the files and folders that the commands and their environment name."""
+        """The ninja targets among the files and folders that the commands and their environment name."""
         targets = set()
         for job in program.jobs:
             for name in re.findall(rf"{re.escape(str(self.build))}/([\w./-]+)",
@@ -123,8 +123,8 @@ class Tree:
 
 
 class AppliedChange:
-    """Within it the copy is changed. At its end the source and its objects are as they were, and what was
-    linked of the changed objects is removed, so that the unchanged source need not be compiled again."""
+    """A context in which the copy is changed. At its end the source and its objects are restored, and
+    files linked from the changed objects are removed, so that nothing need be compiled again."""
 
     def __init__(self, tree: Tree, change: Change) -> None:
         self.tree, self.path = tree, tree.source / change.file
@@ -140,7 +140,8 @@ class AppliedChange:
         self.begin = self.path.stat().st_mtime_ns
 
     def __exit__(self, *_: object) -> None:
-        # The source comes last: until then its new time has everything built again after a crash.
+        # The source is restored last, because until then its new time causes a complete rebuild
+        # after a crash.
         for name in self.tree.outputs:
             file = self.tree.build / name
             if file in self.objects or name == "build.ninja" or name.startswith("CMakeFiles/"):
@@ -148,7 +149,7 @@ class AppliedChange:
             if file.is_file() and file.stat().st_mtime_ns >= self.begin:
                 file.unlink()
         for file, (content, time) in self.objects.items():
-            # ninja compares this time with the one that it noted when it compiled the object.
+            # ninja compares this time with the one that it recorded when it compiled the object.
             if file.exists():
                 time = file.stat().st_mtime_ns
             file.write_bytes(content)

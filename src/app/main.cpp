@@ -7,8 +7,8 @@
 #include "app/commands/commands.h"
 #include "app/options/usage.h"
 #include "app/terminal/error_report.h"
-#include "app/terminal/output.h"
 #include "app/terminal/process.h"
+#include "system/output.h"
 
 namespace {
 
@@ -25,7 +25,7 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
 } catch (const CLI::Success& request) {
   std::ostringstream text;
   app.exit(request, text, text);
-  twrench::app::write_output("-", text.str());
+  twrench::system::write_output("-", text.str());
 } catch (const CLI::ParseError& error) {
   throw twrench::app::usage_error(app, error);
 }

@@ -3,15 +3,34 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
-#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace twrench {
 
+namespace {
+
+struct NamedColor {
+  const char* name;
+  Color color;
+};
+
+constexpr std::array named_colors{NamedColor{"black", {0, 0, 0}},
+                                  NamedColor{"gray", {128, 128, 128}},
+                                  NamedColor{"white", {255, 255, 255}}};
+
+}  // namespace
+
+std::vector<std::string> color_names() {
+  std::vector<std::string> names;
+  for (const NamedColor& named : named_colors) names.emplace_back(named.name);
+  return names;
+}
+
 Color parse_color(const std::string& text, const std::string& what) {
-  if (text == "black") return {0, 0, 0};
-  if (text == "gray") return {128, 128, 128};
-  if (text == "white") return {255, 255, 255};
+  for (const auto& [name, color] : named_colors) {
+    if (text == name) return color;
+  }
   std::string digits = text.substr(text.empty() ? 0 : 1);
   if (digits.size() == 3) {
     digits = {digits[0], digits[0], digits[1], digits[1], digits[2], digits[2]};

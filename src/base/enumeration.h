@@ -10,14 +10,15 @@
 
 #include "base/nearest.h"
 
-// The names of enumerators, for enumerations whose values are 0, 1, 2 and so on. Compilers write
-// them into the name of a function, so that source code lists them only in the enumeration.
+// The names of enumerators, for enumerations whose values are 0, 1, 2 and so on. They are extracted
+// from the function names that compilers generate, so that source code lists them only in the
+// enumeration.
 
 namespace twrench {
 namespace detail {
 
-/// Returns the name of the enumerator with this value; if there is none, text with a ')'. The name
-/// of the function is "... [with auto value = twrench::scene::Frame::body; ...]" with GCC and
+/// Returns the name of the enumerator with this value, or text with a ')' if there is none. The
+/// name of the function is "... [with auto value = twrench::scene::Frame::body; ...]" with GCC and
 /// "... [value = twrench::scene::Frame::body]" with Clang; without an enumerator, both write
 /// "(twrench::scene::Frame)3".
 template <auto value>
@@ -39,7 +40,7 @@ consteval std::size_t enumerator_count() {
   }
 }
 
-/// Returns an array of what a function returns for each of 0, 1, 2 and so on.
+/// Returns an array of the results of a function for 0, 1, 2 and so on.
 template <std::size_t count>
 consteval auto array_of(auto element) {
   return [&]<std::size_t... i>(std::index_sequence<i...> /*indices*/) {
@@ -55,18 +56,18 @@ inline constexpr auto source_names = array_of<enumerator_count<Enumeration>()>([
 
 }  // namespace detail
 
-/// The enumerators, in their order.
+/// The enumerators, in order of declaration.
 template <typename Enumeration>
 inline constexpr auto enumerators = detail::array_of<detail::enumerator_count<Enumeration>()>(
     []<std::size_t i>() { return static_cast<Enumeration>(i); });
 
-/// Returns the name of an enumerator as the source code has it: "body".
+/// Returns the name of an enumerator as in the source code: "body".
 template <typename Enumeration>
 constexpr std::string_view enumerator_name(Enumeration value) {
   return detail::source_names<Enumeration>.at(static_cast<std::size_t>(value));
 }
 
-/// Returns the names of all enumerators, in their order.
+/// Returns the names of all enumerators, in order of declaration.
 template <typename Enumeration>
 std::vector<std::string> enumerator_names() {
   std::vector<std::string> names;
@@ -86,8 +87,8 @@ Enumeration find_enumerator(std::string_view name, const std::string& what) {
   throw unknown_name(what, name, enumerator_names<Enumeration>());
 }
 
-/// Returns whether a table has one row for each enumerator, in their order. `key` is the member of
-/// the rows that holds the enumerator. For static_assert beside the table.
+/// Returns whether a table has one row per enumerator, in order of declaration. `key` is the member
+/// of the rows that holds the enumerator. For static_assert beside the table.
 template <typename Table, typename Row, typename Enumeration>
 consteval bool has_row_for_each(const Table& table, Enumeration Row::*key) {
   return std::ranges::equal(table, enumerators<Enumeration>, {}, key);

@@ -6,9 +6,9 @@
 namespace twrench {
 namespace {
 
-/// A part of a message, in bytes: some lines of a terminal.
+/// Maximum length of a part of a message in bytes, a few lines of a terminal.
 constexpr std::size_t longest = 1000;
-/// A remedy may list what can be given.
+/// A remedy may be longer, because it may list the allowed values.
 constexpr std::size_t longest_remedy = 2000;
 
 bool continues_character(char byte) {  // in UTF-8

@@ -2,7 +2,7 @@
 
 namespace twrench {
 
-std::string in_small_letters(std::string_view text) {
+std::string to_lower(std::string_view text) {
   std::string small(text);
   for (char& c : small) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

@@ -5,7 +5,7 @@
 
 namespace twrench {
 
-/// Returns the text in small letters; other characters than those of English stay.
-std::string in_small_letters(std::string_view text);
+/// Returns the text in lower case. Only A to Z are changed.
+std::string to_lower(std::string_view text);
 
 }  // namespace twrench

@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/letters.h"
+
 namespace twrench {
 namespace {
 
-/// Optimal string alignment distance: Levenshtein's distance with transpositions of adjacent
-/// letters.
+/// Returns the optimal string alignment distance: Levenshtein's distance with transpositions of
+/// adjacent letters.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -41,8 +43,8 @@ std::optional<std::string> nearest(std::string_view name, std::span<const std::s
   std::size_t best_distance = 0;
   for (const std::string& candidate : candidates) {
     const std::size_t longer = std::max(name.size(), candidate.size());
-    const std::size_t distance = edit_distance(name, candidate);
-    // One letter in three may be wrong; beyond that it is another word.
+    const std::size_t distance = edit_distance(to_lower(name), to_lower(candidate));
+    // One letter in three may be wrong. Beyond that, it is a different word.
     if (distance > std::max<std::size_t>(1, longer / 3) || distance == longer) {
       continue;
     }

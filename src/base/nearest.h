@@ -10,8 +10,8 @@
 namespace twrench {
 
 /// Returns the candidate that `name` was most likely meant to be: the one with the fewest typing
-/// errors (a letter inserted, omitted or changed, or two adjacent ones swapped), the first among
-/// equals. Nothing if even that one is too different to be a misspelling.
+/// errors (a letter inserted, omitted or changed, or two adjacent ones swapped), ignoring case; the
+/// first one on a tie. Nothing if even that one is too different to be a misspelling.
 std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// Returns the error for a `name` that is not among `candidates`: "WHAT: unknown name 'NAME'", with

@@ -11,7 +11,7 @@
 namespace twrench {
 namespace {
 
-/// The parts that are left, and the first failure.
+/// The remaining parts and the first failure.
 class Parts {
  public:
   Parts(std::size_t count, std::size_t grain,
@@ -20,8 +20,8 @@ class Parts {
 
   std::size_t size() const { return parts_; }
 
-  /// Parts are handed out in ascending order, and those begun are finished: of the parts that would
-  /// fail, the first one does.
+  /// Works on parts until none is left or one has failed. Parts are handed out in ascending order,
+  /// and parts in progress are finished. Hence the first of the parts that fail is always reached.
   void run() {
     while (!failed_) {
       const std::size_t part = next_++;
@@ -64,7 +64,7 @@ void for_each_part(std::size_t count, std::size_t grain, unsigned threads,
     try {
       while (others.size() + 1 < useful) others.emplace_back([&parts] { parts.run(); });
     } catch (const std::system_error&) {
-      // The system has no more threads: the work is shared by fewer.
+      // The system has no more threads, so fewer share the work.
     }
     parts.run();
   }

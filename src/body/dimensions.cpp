@@ -43,7 +43,8 @@ std::vector<Dimension> dimensions(Shape& shape) {
 void require_dimensions(Shape shape) {
   const std::vector<Dimension> all = dimensions(shape);
   for (const Dimension& dimension : all) {
-    // Below, it is compared with the smaller one, which is positive.
+    // A dimension that must exceed another one is compared with it below. The smaller one is
+    // checked here.
     if (std::ranges::find(all, dimension.values.data(), &Dimension::greater) != all.end()) continue;
     for (const double value : dimension.values) {
       if (value == 0.0 && dimension.may_be_zero) continue;

@@ -8,21 +8,21 @@
 #include <string>
 #include <vector>
 
-// The names and the dimensions of shapes as values. Code that reads, writes or checks shapes needs
-// no case for each shape.
+// The names and the dimensions of shapes as data, so that code that reads, writes or checks shapes
+// needs no case per shape.
 
 namespace twrench::body {
 
 /// A dimension of a shape.
 struct Dimension {
-  /// Its key in scene files, its name in messages.
+  /// Its key in scene files, also used in messages.
   std::string key;
-  /// The member of the shape: one length in cm, or three along x, y and z.
+  /// A view of the shape's member: one length in cm, or three along x, y and z.
   std::span<double> values;
-  /// Whether it may be 0, and a scene file may leave it out. All others are positive.
+  /// Whether it may be 0 and may be omitted from a scene file. All others are positive.
   bool may_be_zero = false;
-  /// An earlier dimension that is greater than this one, such as the outer radius of a tube; null
-  /// if there is none.
+  /// An earlier dimension that must be greater than this one, such as the outer radius of a tube;
+  /// null if there is none.
   const double* greater = nullptr;
   /// The key of that dimension.
   std::string greater_key = {};
@@ -37,17 +37,17 @@ Dimension lengths(const char* key, Eigen::Vector3d& values);
 /// Returns the dimensions of a shape as views of it.
 std::vector<Dimension> dimensions(Shape& shape);
 
-/// Throws OutOfRange or InvalidArgument unless each dimension is finite, positive or 0 where it may
-/// be 0, and less than its greater one.
+/// Throws OutOfRange or InvalidArgument unless each dimension is finite and positive (or 0 if that
+/// is allowed), and less than its `greater`.
 void require_dimensions(Shape shape);
 
-/// Returns one of each shape. The caller sets its dimensions; those that may be 0 are.
+/// Returns one of each shape. Dimensions that may be 0 are 0; the caller sets the others.
 std::vector<Shape> all_shapes();
 
 /// Returns the name of a shape in scene files.
 std::string shape_name(const Shape& shape);
 
-/// Returns the one of all_shapes() with that name.
+/// Returns the shape of all_shapes() with that name; nothing if there is none.
 std::optional<Shape> shape_named(const std::string& name);
 
 }  // namespace twrench::body

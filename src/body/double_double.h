@@ -9,7 +9,7 @@ namespace twrench::body {
 /// ACM Trans. Math. Softw. 44 (2017) 15, algorithms 6 and 12.
 struct DoubleDouble {
   double high = 0.0;  ///< The number rounded to double.
-  double low = 0.0;   ///< What that leaves.
+  double low = 0.0;   ///< The remainder.
 
   explicit operator double() const { return high; }
 };
@@ -27,8 +27,8 @@ inline DoubleDouble exact_sum(double a, double b) {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// Returns a b exactly, unless it overflows or its last bits underflow. Not by a fused operation,
-/// which some processors lack.
+/// Returns a b exactly, unless it overflows or its last bits underflow. Does not use a fused
+/// operation, which some processors lack.
 inline DoubleDouble exact_product(double a, double b) {
   constexpr double splitter = 134217729.0;  // 2^27 + 1
   const double a_scaled = splitter * a, b_scaled = splitter * b;

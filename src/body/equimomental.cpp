@@ -16,56 +16,58 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// The principal axes in any order: the coordinate axes themselves where they are principal.
+/// Returns the principal axes in any order: the coordinate axes themselves if they are principal.
 PrincipalAxes own_axes(const Matrix3d& inertia) {
   if (inertia.isDiagonal(0.0)) return {inertia.diagonal(), Matrix3d::Identity()};
   return principal_axes(inertia);
 }
 
-/// The second moments, the integrals of x^2, y^2 and z^2 over the mass, by I_x = S_y + S_z and its
-/// permutations.
+/// Returns the second moments S, the integrals of x^2, y^2 and z^2 over the mass, from I_x = S_y +
+/// S_z and its permutations.
 Vector3d second_moments(const Vector3d& moments) {
-  for (const double moment : moments) require_positive("moments", moment);
+  require_positive_entries("moments", moments);
   const double sum = moments.sum();
-  const double least = 1e-6 * sum;  // A plate, where the triangle inequality leaves no thickness.
+  const double least = 1e-6 * sum;  // Keeps a plate from having no thickness.
   return (Vector3d::Constant(sum) - 2.0 * moments).cwiseMax(least) / 2.0;
 }
 
-/// The lengths l, and with them a solid of density 1 and volume `fill` l_x l_y l_z, for which the
-/// second moments are the mass times l_i^2 / `divisor`.
+/// Returns the lengths l of a solid of density 1 and volume `fill` l_x l_y l_z whose second moments
+/// are the mass times l_i^2 / `divisor`.
 Vector3d lengths(const Vector3d& second, double fill, double divisor) {
   const double mass = std::pow(fill * std::pow(divisor, 1.5) * std::sqrt(second.prod()), 2.0 / 5.0);
   return (divisor / mass * second).cwiseSqrt();
 }
 
-/// A flat cross in units of its arms' length, with discs on their ends.
+/// A flat cross with discs on the ends of its arms, in units of their length.
 struct Cross {
   double heavy_square;  ///< Squares of the discs' radii.
   double light_square;
-  double width;      ///< Of the arms, and half of it the hub's.
-  double thickness;  ///< Of the discs and the hub.
-  double moment;     ///< The integral of x^2 over it, at density 1.
+  double width;      ///< Width of the arms; the hub's radius is half of it.
+  double thickness;  ///< Thickness of the discs and the hub.
+  double moment;     ///< The integral of x^2 over the cross, at density 1.
 
-  /// Thickness of the arms over that of the discs, whose faces they must not share.
+  /// Thickness of the arms relative to the discs. They differ so that no faces coincide.
   static constexpr double arm_share = 0.6;
 
-  /// The one with these second moments, up to a factor, of which the first is the largest and the
-  /// third is that across it.
+  /// Makes the cross with these second moments, up to a factor. The first one is the largest; the
+  /// third one is across the cross.
   explicit Cross(const Vector3d& second);
 };
 
 Cross::Cross(const Vector3d& second) {
   const double q = second.y() / second.x();
-  // As large as looks well, but where the body is nearly a rod so small that some of the second
-  // moment is left for the light discs.
+  // As large as looks good. For a body that is nearly a rod, small enough to leave some of the
+  // second moment for the light discs.
   const double heavy = std::min(0.4, 2.5 * q);
   width = 2.5 * heavy * heavy * heavy;
   const double A = heavy * heavy;
-  // Per thickness of the discs, both arms and the hub contribute the same to both integrals,
+  // Per thickness of the discs, the arms and the hub contribute `frame` to each of the integrals of
+  // x^2 and y^2.
   const double frame =
       arm_share * width * (2.0 / 3.0 + width * width / 6.0) + pi * std::pow(width, 4) / 4.0;
-  // and the heavy and the light discs 2 pi A + pi/2 (A^2 + B^2) to that along the heavy ones, with
-  // A and B exchanged to the other, which is q times as large: a quadratic equation for B.
+  // The discs contribute 2 pi A + pi/2 (A^2 + B^2) to the integral along the heavy ones, and the
+  // same with A and B exchanged to the other. The latter is q times the former, which is a
+  // quadratic equation for B.
   const double a = pi / 2.0 * (1.0 - q), b = 2.0 * pi;
   const double c = (frame + pi / 2.0 * A * A) * (1.0 - q) - 2.0 * pi * q * A;
   const double B = -2.0 * c / (b + std::sqrt(b * b - 4.0 * a * c));
@@ -81,13 +83,13 @@ Cross::Cross(const Vector3d& second) {
 
 Part equimomental_box(const Matrix3d& inertia) {
   const auto& [moments, axes] = own_axes(inertia);
-  // Of an edge a the mean square is a^2/12.
+  // The mean square along an edge a is a^2/12.
   return {Box{lengths(second_moments(moments), 1.0, 12.0)}, 1.0, Vector3d::Zero(), axes};
 }
 
 Part equimomental_ellipsoid(const Matrix3d& inertia) {
   const auto& [moments, axes] = own_axes(inertia);
-  // Of a semi-axis a the mean square is a^2/5.
+  // The mean square along a semi-axis a is a^2/5.
   return {Ellipsoid{lengths(second_moments(moments), 4.0 / 3.0 * pi, 5.0)}, 1.0, Vector3d::Zero(),
           axes};
 }
@@ -123,7 +125,8 @@ std::array<PointMass, 6> equimomental_points(const Part& part) {
   const Vector3d centre = part.position + part.body_from_part * centroid(part.shape);
   std::array<PointMass, 6> points{};
   for (Eigen::Index i = 0; i < 3; ++i) {
-    // The mean square of coordinate i, to which the pair contributes a third of its own.
+    // The mean square of coordinate i. The pair has a third of the mass, so that its own is three
+    // times as large.
     const double mean_square = (own.moments.sum() - 2 * own.moments[i]) / (2 * mass);
     const Vector3d arm = std::sqrt(3 * std::max(mean_square, 0.0)) * body_from_own.col(i);
     points[static_cast<std::size_t>(2 * i)] = {mass / 6, centre + arm};

@@ -18,7 +18,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The inertia about the origin of a point mass at d, the second term of the parallel-axis theorem.
+/// Returns the inertia about the origin of a point mass at d, the second term of the parallel-axis
+/// theorem.
 Matrix3d point_inertia(double mass, const Vector3d& d) {
   return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
 }
@@ -37,7 +38,7 @@ Matrix3d with_definite_signs(Matrix3d axes) {
 /// Throws unless it is finite and, to round-off, symmetric.
 void check(const Matrix3d& inertia) {
   constexpr double round_off = 1e-12;
-  for (const double entry : inertia.reshaped()) require_finite("inertia", entry);
+  require_finite_entries("inertia", inertia);
   const double asymmetry = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
   if (asymmetry <= round_off * inertia.cwiseAbs().maxCoeff()) return;
   throw InvalidArgument("inertia",
@@ -46,14 +47,14 @@ void check(const Matrix3d& inertia) {
                                     asymmetry));
 }
 
-// The parts are checked before these are called.
+// The callers check the parts.
 
 double mass_of(const Part& part) {
   return part.density *
          std::visit([](const auto& solid) { return shapes::volume(solid); }, part.shape);
 }
 
-/// The centre of mass of a part in cm, in the frame in which it is placed.
+/// Returns the centre of mass of a part in cm, in the frame in which the part is placed.
 Vector3d centroid_of(const Part& part) {
   return part.position +
          part.body_from_part *
@@ -68,12 +69,12 @@ Matrix3d inertia_of(const Part& part) {
 
 }  // namespace
 
-// Eigen's functions are inlined: those of a program that is compiled with -ffast-math, which the
-// linker may use for both, might accept a NaN.
+// Eigen's functions are inlined here. Otherwise the linker may replace them by those of a program
+// that is compiled with -ffast-math, which might accept a NaN.
 [[gnu::flatten]] void require_part(const Part& part) {
   std::visit([](const auto& solid) { shapes::check(solid); }, part.shape);
   require_positive("density", part.density);
-  for (const double coordinate : part.position) require_finite("position", coordinate);
+  require_finite_entries("position", part.position);
   constexpr double round_off = 1e-9;
   const Matrix3d& R = part.body_from_part;
   if (!R.isUnitary(round_off) || !(R.determinant() > 0)) {
@@ -99,7 +100,7 @@ MassProperties mass_properties(std::span<const Part> parts) {
                     point_inertia(mass_of(part), centroid_of(part) - body.centre_of_mass);
   }
   if (!body.inertia.allFinite()) {
-    throw InvalidArgument("parts", "their inertia is beyond what double precision holds");
+    throw InvalidArgument("parts", "their inertia exceeds the range of a double");
   }
   const PrincipalAxes principal = principal_axes(body.inertia);
   body.moments = principal.moments;

@@ -11,15 +11,16 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Throws OutOfRange or InvalidArgument unless it is a solid.
+/// Returns the shape, or throws OutOfRange or InvalidArgument unless it is a valid solid.
 const Shape& checked(const Shape& shape) {
   std::visit([](const auto& solid) { shapes::check(solid); }, shape);
   return shape;
 }
 
-/// Returns the unit vector along `vector`, or throws InvalidArgument about it.
+/// Returns the unit vector along `vector`. Throws InvalidArgument about `quantity` if it is zero or
+/// not finite.
 Vector3d checked_direction(const char* quantity, const Vector3d& vector) {
-  for (const double component : vector) require_finite(quantity, component);
+  require_finite_entries(quantity, vector);
   if (vector.isZero(0.0)) throw InvalidArgument(quantity, "must not be zero");
   return vector.stableNormalized();  // The square of its length may underflow.
 }
@@ -41,7 +42,7 @@ Eigen::Matrix3d central_inertia(const Shape& shape, double mass) {
 }
 
 double bounding_radius(const Shape& shape, const Vector3d& centre) {
-  for (const double coordinate : centre) require_finite("centre", coordinate);
+  require_finite_entries("centre", centre);
   return std::visit([&](const auto& solid) { return shapes::far_side(solid, centre); },
                     checked(shape));
 }

@@ -11,9 +11,10 @@
 
 #include "body/dimensions.h"
 
-// The functions of each shape. body/shapes has one source per shape, which defines them. Points and
-// directions are in the frame of the shape, lengths in cm. The namespace keeps the compiler from
-// calling the function of a Shape where that of one shape is missing.
+// The functions of each shape, defined in one source per shape in body/shapes. Points and
+// directions are in the frame of the shape, lengths in cm. They have a separate namespace so that,
+// if the function of a shape is missing, the compiler does not call that of the variant Shape
+// instead.
 //
 // name             its name in scene files
 // dimensions       views of its members
@@ -27,8 +28,8 @@
 
 namespace twrench::body {
 
-/// Throws OutOfRange or InvalidArgument unless it is a solid with a density, a position and a
-/// proper rotation.
+/// Throws OutOfRange or InvalidArgument unless the part is a valid solid with a valid density and
+/// position and a proper rotation.
 void require_part(const Part& part);
 
 }  // namespace twrench::body

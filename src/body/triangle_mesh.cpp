@@ -19,21 +19,21 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 using Triangle = std::array<std::uint32_t, 3>;
-/// Triangles that are summed up on one thread.
+/// Number of triangles that a thread sums at a time.
 constexpr std::size_t grain = 8192;
 
 using ExactVector = std::array<DoubleDouble, 3>;
 
-// The six different components of a symmetric matrix.
+// The six independent components of a symmetric matrix.
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> components{
     {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
 
 /// The corners of a triangle relative to a point from which their differences are exact.
 using Corners = std::array<std::array<double, 3>, 3>;
 
-/// Sums over triangles with corners a, b, c of a weight w, of w s with s = a + b + c, and of
-/// w (a a' + b b' + c c' + s s'). In double precision the terms of thin, hollow and distant bodies
-/// would cancel to a few digits; here the result is as good as that of exact arithmetic.
+/// Sums over triangles with corners a, b, c of a weight w, of w s with s = a + b + c, and of w
+/// times a a' + b b' + c c' + s s'. In double precision the terms of thin, hollow or distant bodies
+/// would cancel to a few digits. In this precision the result is as good as with exact arithmetic.
 struct Sums {
   DoubleDouble weight;
   ExactVector first;
@@ -68,7 +68,7 @@ ExactVector difference(const std::array<double, 3>& a, const std::array<double, 
   return {exact_sum(a[0], -b[0]), exact_sum(a[1], -b[1]), exact_sum(a[2], -b[2])};
 }
 
-/// Six times the signed volume of the tetrahedron of the corners and the origin.
+/// Returns six times the signed volume of the tetrahedron of the corners and the origin.
 DoubleDouble six_volumes(const Corners& corners) {
   const auto &a = corners[0], &b = corners[1], &c = corners[2];
   const auto minor = [&](std::size_t i, std::size_t j) {
@@ -77,14 +77,14 @@ DoubleDouble six_volumes(const Corners& corners) {
   return minor(1, 2) * a[0] + minor(2, 0) * a[1] + minor(0, 1) * a[2];
 }
 
-/// Twice the area, to double precision: as all areas are positive, their sums need no more.
+/// Returns twice the area in double precision, which suffices for sums of positive terms.
 double two_areas(const Corners& corners) {
   const auto& [a, b, c] = corners;
   const ExactVector normal = cross(difference(b, a), difference(c, a));
   return Vector3d(normal[0].high, normal[1].high, normal[2].high).norm();
 }
 
-/// Throws InvalidArgument unless there are triangles whose corners are finite points.
+/// Throws InvalidArgument unless there are triangles and all their corners are finite points.
 void check(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw InvalidArgument("mesh", "has no triangles");
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -99,9 +99,10 @@ void check(const TriangleMesh& mesh) {
   }
 }
 
-/// The point to which all corners are referred: for coordinates that all lie within a factor of two
-/// the first one, as their differences are then exact (Sterbenz), and else 0, so that nothing is
-/// rounded. No corner is farther from it than twice the size of the mesh.
+/// Returns the point to which all corners are referred, chosen so that no difference is rounded. In
+/// each coordinate it is the first vertex if all values lie within a factor of two, because their
+/// differences are then exact (Sterbenz), and otherwise 0. No corner is farther from it than twice
+/// the size of the mesh.
 Vector3d reference_point(const TriangleMesh& mesh) {
   Vector3d least = mesh.vertices[mesh.triangles[0][0]], greatest = least;
   for (const Triangle& triangle : mesh.triangles) {
@@ -128,7 +129,7 @@ Corners corners_of(const TriangleMesh& mesh, const Triangle& triangle, const Vec
   return corners;
 }
 
-/// The sums over all triangles, the same on any number of threads.
+/// Returns the sums over all triangles, the same on any number of threads.
 template <typename Weight>
 Sums sums_over(const TriangleMesh& mesh, const Vector3d& reference, Weight weight) {
   std::vector<Sums> parts((mesh.triangles.size() + grain - 1) / grain);
@@ -144,7 +145,7 @@ Sums sums_over(const TriangleMesh& mesh, const Vector3d& reference, Weight weigh
   return all;
 }
 
-/// The integrals where the sums, divided by these numbers, are the volume and the first and second
+/// Returns the integrals. The sums divided by `divisors` are the volume and the first and second
 /// moments about the reference point.
 SolidIntegrals integrals_of(const Sums& sums, const Vector3d& reference,
                             const std::array<double, 3>& divisors) {
@@ -170,7 +171,8 @@ SolidIntegrals integrals_of(const Sums& sums, const Vector3d& reference,
   return result;
 }
 
-/// Returns the integrals, or throws InvalidArgument about "mesh" where a double cannot hold them.
+/// Returns the integrals, or throws InvalidArgument about "mesh" if they exceed the range of a
+/// double.
 const SolidIntegrals& finite(const SolidIntegrals& integrals) {
   const bool is_finite = std::isfinite(integrals.volume) && integrals.centroid.allFinite() &&
                          integrals.inertia.allFinite();

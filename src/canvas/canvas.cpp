@@ -6,8 +6,8 @@
 namespace twrench::canvas {
 namespace {
 
-// Cairo keeps a pixel as a native word, blue in its lowest byte. Where that byte comes first,
-// colours given with red and blue swapped are RGBA in memory.
+// Cairo stores a pixel as a native word with blue in its lowest byte. If that byte comes first in
+// memory, colours whose red and blue are swapped are stored as RGBA.
 static_assert(std::endian::native == std::endian::little);
 
 }  // namespace
@@ -32,8 +32,8 @@ void Canvas::set(const Ink& ink) {
                         ink.color.red / 255.0, ink.opacity);
 }
 
-// Glyphs as paths: cairo_show_glyphs() moves them to whole pixels before Cairo 1.18 and to quarters
-// since, which spoils their spacing and would draw other frames elsewhere.
+// Draws glyphs as paths, because cairo_show_glyphs() moves them to whole pixels before Cairo 1.18
+// and to quarters since. That spoils their spacing, and frames would depend on the version.
 void Canvas::add_text(const Line& line, double size, const Point& at, Align align) {
   const double before = align == Align::left ? 0 : align == Align::right ? 1 : 0.5;
   const double start = at.x - before * line.width * size;
@@ -60,7 +60,7 @@ void Canvas::text_halo(const Line& line, double size, const Point& at, double wi
   add_text(line, size, at, align);
   cairo_set_line_width(context_.get(), 2 * width);
   set(ink);
-  cairo_save(context_.get());  // a halo is soft, and strokes are what text costs
+  cairo_save(context_.get());  // a halo is soft, and strokes are the main cost of text
   cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_FAST);
   cairo_set_tolerance(context_.get(), 0.3);
   cairo_stroke(context_.get());

@@ -13,8 +13,9 @@
 
 namespace twrench::canvas {
 
-/// Draws on an image of RGBA, premultiplied, which outlives it. Lengths in px of the picture of
-/// which the image is a part; whole numbers are the edges of pixels. All edges are anti-aliased.
+/// Draws on a premultiplied RGBA image, which must outlive the canvas. Lengths are in px of the
+/// picture of which the image is a part; whole numbers are the edges of pixels. All edges are
+/// anti-aliased.
 class Canvas {
  public:
   struct Ink {
@@ -26,24 +27,25 @@ class Canvas {
   };
   enum class Align { left, centre, right };
 
-  /// (x, y): where the image's top left corner lies in the picture.
+  /// (x, y) is the position of the image's top left corner in the picture.
   Canvas(image::Image& image, int x, int y);
 
-  /// `size`: px per em; (x, y): where the baseline begins or, with another alignment, the point of
-  /// it that is the middle or the end.
+  /// Draws text of `size` px per em. `at` is the start of the baseline or, with another alignment,
+  /// its middle or its end.
   void text(const Line& line, double size, const Point& at, const Ink& ink,
             Align align = Align::left);
 
-  /// The outline of such a text, `width` px beyond its edges, to lay under it.
+  /// Draws the outline of such a text, up to `width` px beyond its edges, as a background for the
+  /// text.
   void text_halo(const Line& line, double size, const Point& at, double width, const Ink& ink,
                  Align align = Align::left);
 
-  /// Round ends and corners.
+  /// Ends and corners are round.
   void polyline(std::span<const Point> points, double width, const Ink& ink);
   void disc(const Point& centre, double radius, const Ink& ink);
   void rectangle(double x, double y, double width, double height, const Ink& ink);
 
-  /// A rectangle whose corners are rounded with that radius, px.
+  /// Draws a rectangle whose corners are rounded with that radius in px.
   void panel(const image::Area& area, double radius, const Ink& ink);
 
  private:

@@ -17,7 +17,7 @@
 namespace twrench::canvas {
 namespace {
 
-constexpr std::size_t largest_file = 64U << 20U;  // bytes: a font of all Chinese is 20 MB
+constexpr std::size_t largest_file = 64U << 20U;  // bytes; a complete Chinese font has 20 MB
 
 constexpr std::u32string_view ten_digits = U"0123456789";
 
@@ -116,7 +116,7 @@ Typeface load_typeface(const std::string& name_or_path) {
     throw unknown_name("font", name_or_path, names);
   }
   const Font own(read_font(name_or_path), "font " + name_or_path);
-  const Font font = own.with_fallback(sans.regular);  // of one weight, as the file is
+  const Font font = own.with_fallback(sans.regular);  // one weight, like the file
   return {font, font};
 }
 

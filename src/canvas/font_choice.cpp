@@ -7,7 +7,8 @@
 namespace twrench::canvas {
 namespace {
 
-/// A joiner, a soft hyphen or the like: HarfBuzz leaves them out where the font has none.
+/// Returns whether it is a joiner, a soft hyphen or the like, which HarfBuzz omits if the font has
+/// none.
 bool is_unseen(hb_codepoint_t character) {
   return category_of(character) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
 }
@@ -27,7 +28,7 @@ bool is_closing(hb_codepoint_t character) {
 /// A letter, a digit or a sign, with the marks on it.
 struct Cluster {
   std::span<const hb_codepoint_t> characters;
-  const Font* font;  ///< null as long as none is chosen
+  const Font* font;  ///< null until one is chosen
 };
 
 std::vector<Cluster> clusters_of(std::span<const hb_codepoint_t> text) {
@@ -40,8 +41,8 @@ std::vector<Cluster> clusters_of(std::span<const hb_codepoint_t> text) {
   return clusters;
 }
 
-/// How many of the characters the font has up to the first that it lacks, as they are or as what
-/// they compose.
+/// Returns the number of characters before the first that the font lacks, both as they are and
+/// composed.
 std::size_t count_in(const Font& font, std::span<const hb_codepoint_t> characters) {
   hb_codepoint_t composed = 0;
   for (std::size_t i = 0; i < characters.size(); ++i) {
@@ -58,7 +59,7 @@ std::size_t count_in(const Font& font, std::span<const hb_codepoint_t> character
   return characters.size();
 }
 
-/// Shares a text out between a font and its fallback, as choose_fonts() says.
+/// Divides a text between a font and its fallback, as choose_fonts() describes.
 class FontChoice {
  public:
   FontChoice(std::span<const hb_codepoint_t> text, const Font& font)
@@ -68,7 +69,7 @@ class FontChoice {
     choose_for_other_signs();
   }
 
-  /// One for each character.
+  /// Returns one font for each character.
   std::vector<const Font*> fonts() const {
     std::vector<const Font*> fonts;
     for (const auto& [characters, font] : clusters_) {
@@ -119,7 +120,7 @@ class FontChoice {
   void choose_for_other_signs() {
     const auto first = std::ranges::find_if(clusters_, [](const Cluster& c) { return c.font; });
     const Font* before = first == clusters_.end() ? &font_ : first->font;
-    std::vector<const Font*> open;  // the fonts of brackets that are not closed yet
+    std::vector<const Font*> open;  // the fonts of brackets that are still open
     for (Cluster& cluster : clusters_) {
       const hb_codepoint_t sign = cluster.characters.front();
       if (is_opening(sign)) {

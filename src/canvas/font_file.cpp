@@ -12,8 +12,8 @@
 namespace twrench::canvas::font_file {
 namespace {
 
-/// A FreeType face with all that it reads from. Its library is its own: FreeType lets no two
-/// threads open faces of one library at once.
+/// A FreeType face with the data that it reads. It has its own FreeType library, because two
+/// threads must not open faces of one library at once.
 struct OpenedFace {
   explicit OpenedFace(const Bytes& bytes) : file(bytes) {
     if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();
@@ -25,20 +25,20 @@ struct OpenedFace {
 
   Bytes file;
   FT_Library library = nullptr;
-  FT_Face face = nullptr;  ///< null where there is an error
+  FT_Face face = nullptr;  ///< null if there is an error
   FT_Error error = 0;
 };
 
 const cairo_user_data_key_t opened_face_key{};
 
-/// FreeType leaves out the tables that do not lie in the file; HarfBuzz lists them all.
+/// FreeType omits tables that extend beyond the file; HarfBuzz lists them all.
 bool has_all_its_tables(FT_Face face, hb_font_t* shaper) {
   FT_ULong readable = 0;
   FT_Sfnt_Table_Info(face, 0, nullptr, &readable);
   return readable == hb_face_get_table_tags(hb_font_get_face(shaper), 0, nullptr, nullptr);
 }
 
-/// In the file itself: FreeType makes one of the glyphs' names where there is none.
+/// Checks the file itself, because FreeType makes a map from the glyphs' names if there is none.
 bool has_character_map(FT_Face face) {
   FT_ULong length = 0;
   return FT_Load_Sfnt_Table(face, FT_MAKE_TAG('c', 'm', 'a', 'p'), 0, nullptr, &length) == 0;
@@ -50,7 +50,7 @@ void require_usable(const OpenedFace& opened, hb_font_t* shaper, const std::stri
     throw InvalidArgument(what, "is a damaged font: not all of its tables can be read");
   }
   if (!FT_IS_SCALABLE(face) || !has_character_map(face)) {
-    throw InvalidArgument(what, "is a font without outlines or without a map from characters");
+    throw InvalidArgument(what, "is a font without outlines or without a character map");
   }
 }
 
@@ -79,7 +79,8 @@ std::shared_ptr<cairo_font_face_t> open_face(const Bytes& file, hb_font_t* shape
   std::shared_ptr<cairo_font_face_t> face(
       cairo_ft_font_face_create_for_ft_face(opened->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP),
       &cairo_font_face_destroy);
-  // Cairo goes on using the face for glyphs that it keeps when the last Font of it is gone.
+  // Cairo uses the face for glyphs in its cache even after the last Font with that face is
+  // destroyed.
   const auto close = [](void* data) { delete static_cast<OpenedFace*>(data); };
   if (cairo_font_face_set_user_data(face.get(), &opened_face_key, opened.get(), close) !=
       CAIRO_STATUS_SUCCESS) {

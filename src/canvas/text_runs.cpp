@@ -36,8 +36,8 @@ StyledCharacter styled(hb_codepoint_t character) {
   return {character, figure ? CharacterStyle::figure : CharacterStyle::plain};
 }
 
-/// Of each character the level of UAX #9, and of each place on the line, from left to right, the
-/// character that stands there.
+/// The level (UAX #9) of each character, and the character at each place on the line from left to
+/// right.
 struct BidiOrder {
   std::vector<FriBidiLevel> levels;
   std::vector<FriBidiStrIndex> characters;
@@ -51,7 +51,7 @@ BidiOrder bidi_order(const std::vector<FriBidiChar>& text) {
   std::vector<FriBidiCharType> types(text.size());
   fribidi_get_bidi_types(text.data(), length, types.data());
   if (std::ranges::none_of(types, [](auto type) { return FRIBIDI_IS_RTL(type) != 0; })) {
-    return order;  // as most lines, which cost no more
+    return order;  // as for most lines, which cost no more
   }
   std::vector<FriBidiBracketType> brackets(text.size());
   fribidi_get_bracket_types(text.data(), length, types.data(), brackets.data());
@@ -65,8 +65,8 @@ BidiOrder bidi_order(const std::vector<FriBidiChar>& text) {
   return order;
 }
 
-/// The script of each character; those that many scripts share have that of the letters before
-/// them.
+/// The script of each character. A character that many scripts share has the script of the letters
+/// before it.
 std::vector<hb_script_t> scripts_of(const std::vector<hb_codepoint_t>& text) {
   std::vector<hb_script_t> scripts(text.size());
   std::ranges::transform(text, scripts.begin(), script_of);

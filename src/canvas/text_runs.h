@@ -9,34 +9,33 @@
 
 namespace twrench::canvas {
 
-/// How characters are set: figures without kerning, raised and lowered ones smaller.
+/// How characters are set: figures without kerning, raised and lowered characters smaller.
 enum class CharacterStyle { plain, figure, raised, lowered };
 
-/// A line of text as its shaping needs it: U+FFFD for each byte that is not part of well-formed
-/// UTF-8, a space for each control character, and plain digits and signs for the raised and lowered
-/// ones, whose style says what they were.
+/// A line of text prepared for shaping. Each byte that is not part of well-formed UTF-8 is replaced
+/// by U+FFFD, each control character by a space, and raised and lowered characters by plain digits
+/// and signs whose style records the original.
 struct StyledText {
   std::vector<hb_codepoint_t> characters;
-  std::vector<CharacterStyle> styles;  ///< one for each
+  std::vector<CharacterStyle> styles;  ///< one for each character
 };
 
 StyledText styled(std::string_view utf8);
 
-/// The first `length` characters and an ellipsis.
+/// Returns the first `length` characters and an ellipsis.
 StyledText shortened(const StyledText& text, std::size_t length);
 
-/// Characters that are shaped at once: of one font, style, script and direction.
+/// Characters that are shaped together: they have the same font, style, script and direction.
 struct TextRun {
   std::size_t begin, end;  ///< in the text
-  const Font* font;        ///< that of the text or its fallback
+  const Font* font;        ///< the font of the text or its fallback
   CharacterStyle style;
   hb_script_t script;
   hb_direction_t direction;
 };
 
-/// The text's runs from left to right, by the Unicode Bidirectional Algorithm (UAX #9); the line's
-/// own direction is that of its first letter. What the font lacks is of its fallback, as
-/// choose_fonts() says.
+/// Returns the text's runs from left to right by the Unicode Bidirectional Algorithm (UAX #9). The
+/// direction of the line is that of its first letter. Fonts are those of choose_fonts().
 std::vector<TextRun> visual_runs(const StyledText& text, const Font& font);
 
 }  // namespace twrench::canvas

@@ -16,7 +16,7 @@ namespace {
 
 using Buffer = std::unique_ptr<hb_buffer_t, decltype(&hb_buffer_destroy)>;
 
-/// How large, and how far below the baseline, in em.
+/// The scale of a style, and its distance below the baseline in em.
 struct Setting {
   double scale, y;
 };
@@ -38,15 +38,15 @@ void shape(hb_buffer_t* buffer, const StyledText& text, const TextRun& run) {
   if (!hb_buffer_allocation_successful(buffer)) throw std::bad_alloc();
 }
 
-/// In em, what a character takes whatever its glyph does, in a text of this font.
+/// Returns the width in em of a character that has a fixed one in a text of this font.
 std::optional<double> fixed_room(const Font& font, hb_codepoint_t character) {
   const bool is_digit = character >= U'0' && character <= U'9';
   if (is_digit || character == U'\u2007') return font.digit_advance();
-  if (character == U'\u2009') return 0.2;  // a whole letter in some fonts
+  if (character == U'\u2009') return 0.2;  // as wide as a letter in some fonts
   return std::nullopt;
 }
 
-/// Adds what the buffer holds, shaped, at the right end of the line, which is of this font.
+/// Appends the shaped glyphs in the buffer at the right end of the line, which is set in this font.
 void append(Line& line, const Font& font, hb_buffer_t* buffer, const StyledText& text,
             const TextRun& run) {
   const auto [scale, y] = setting_of(run.style);
@@ -59,7 +59,7 @@ void append(Line& line, const Font& font, hb_buffer_t* buffer, const StyledText&
     const std::size_t character = infos[i].cluster;
     double room = em * position.x_advance, before = 0;
     const auto fixed = fixed_room(font, text.characters[character]);
-    if (fixed && position.x_advance != 0) {  // not of a mark on it
+    if (fixed && position.x_advance != 0) {  // marks have no advance
       room = scale * *fixed;
       before = (room - scale * run.font->advance(infos[i].codepoint)) / 2;
     }
@@ -80,7 +80,7 @@ Line typeset(const Font& font, const StyledText& text) {
   return line;
 }
 
-/// Where the text may be cut: before the characters with which its glyphs begin.
+/// The places where the text may be cut: before the first character of each glyph.
 std::vector<std::size_t> places_to_cut(const Line& line) {
   std::vector<std::size_t> places;
   for (const Line::Placed& glyph : line.glyphs) places.push_back(glyph.character);
@@ -103,7 +103,8 @@ Line typeset_within(const Font& font, std::string_view utf8, double width) {
     while (kept > 0 && text.characters[kept - 1] == U' ') --kept;
     return typeset(font, shortened(text, kept));
   };
-  // The most that fits. Halved, for a title may have a million characters.
+  // Finds the longest beginning that fits by bisection, because a title may have a million
+  // characters.
   std::size_t fit = 0, most = places.size() - 1;
   while (fit < most) {
     const std::size_t place = most - (most - fit) / 2;
@@ -125,7 +126,7 @@ std::optional<char32_t> missing_character(const Font& font, std::string_view utf
     first = std::min(first.value_or(placed.character), placed.character);
   }
   if (!first) return std::nullopt;
-  // A letter and its marks are one there: it may be a mark that is missing.
+  // A letter and its marks form one glyph there, so that the missing character may be a mark.
   const auto lacks = [&](hb_codepoint_t character) {
     return !font.has(character) && (font.fallback() == nullptr || !font.fallback()->has(character));
   };

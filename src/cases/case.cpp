@@ -23,13 +23,13 @@ namespace twrench::cases {
 namespace {
 
 namespace limits = scene::limits;
-using scene::Field;
 using scene::TomlTable;
+using scene::ValueForm;
 
 constexpr limits::Limit unit_component{-1, 1};
 
 std::string text_or_none(TomlTable& table, const std::string& key) {
-  const auto value = table.value(key, Field::Kind::text);
+  const auto value = table.value(key, ValueForm::Kind::text);
   return value ? value->get<std::string>() : std::string();
 }
 
@@ -70,7 +70,7 @@ double parse_digits(const std::string& digits, const std::string& place) {
 }
 
 void read_values(TomlTable& table, Published& published) {
-  const auto texts = table.value("values", Field::Kind::texts);
+  const auto texts = table.value("values", ValueForm::Kind::texts);
   if (texts) published.digits = texts->get<std::vector<std::string>>();
   const std::size_t count = published.quantity == Quantity::quaternion ? 4 : 3;
   if (published.digits.size() != count) {

@@ -27,13 +27,13 @@ struct Published {
   Quantity quantity;
   /// Their unit; empty for quaternions and Rodrigues parameters.
   std::string unit;
-  /// One unit in that of the exact state: pi/180 for deg/s, otherwise 1.
+  /// The unit in that of the exact state: pi/180 for deg/s, otherwise 1.
   double unit_size;
   /// The components as published, with all their digits.
   std::vector<std::string> digits;
   /// The same as numbers.
   std::vector<double> values;
-  /// The largest documented difference of a component from the exact motion, in `unit`; 0 where the
+  /// The largest documented difference of a component from the exact motion, in `unit`; 0 if the
   /// values are right to their last digit.
   double deviation;
 };
@@ -42,19 +42,19 @@ struct Published {
 struct Case {
   std::string name;    ///< "basilisk-spacecraft"
   std::string title;   ///< Short description of the body.
-  std::string source;  ///< Authors or project, report or file, year where it is known.
+  std::string source;  ///< Authors or project, report or file, year if it is known.
   std::string url;     ///< Link to the source.
   std::string note;    ///< Remarks on the values, in several lines.
   /// Principal moments of inertia about the body's x, y and z axes, in `inertia_unit`.
   Eigen::Vector3d moments;
-  /// As published; empty where the source states none.
+  /// As published; empty if the source states none.
   std::string inertia_unit;
   /// Angular velocity at t = 0 in body axes, as published, in `omega_unit`.
   Eigen::Vector3d published_omega;
   std::string omega_unit;  ///< "rad/s" or "deg/s"
   /// The same in rad/s.
   Eigen::Vector3d omega;
-  /// Attitude at t = 0, space from body, of unit length; nothing where none is published.
+  /// Attitude at t = 0, space from body, of unit length; nothing if none is published.
   std::optional<Eigen::Quaterniond> attitude;
   double duration;  ///< Length of the published motion in s.
   std::vector<Published> published;
@@ -63,15 +63,15 @@ struct Case {
 /// Returns the names of the built-in cases in alphabetical order.
 std::vector<std::string> case_names();
 
-/// Returns a built-in case. Throws InvalidArgument about `what`, with the nearest name, if there is
-/// none of that name.
+/// Returns a built-in case. Throws InvalidArgument about `what` if there is no case of that name,
+/// suggesting the nearest name.
 Case load_case(const std::string& name, const std::string& what);
 
-/// Returns the unit of the angular momentum of a case: "kg m^2/s"; "1/s" where its moments have
-/// none.
+/// Returns the unit of the angular momentum of a case: "kg m^2/s"; "1/s" if its moments have no
+/// unit.
 std::string momentum_unit(const Case& problem);
 
-/// Returns the unit of the energy of a case: "kg m^2/s^2"; "1/s^2" where its moments have none.
+/// Returns the unit of the energy of a case: "kg m^2/s^2"; "1/s^2" if its moments have no unit.
 std::string energy_unit(const Case& problem);
 
 /// Reads a case from TOML. Throws InvalidArgument "SOURCE:LINE: KEY: ..." about any mistake; the

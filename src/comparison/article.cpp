@@ -18,10 +18,10 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The pictures of a frame; empty where there is none.
+/// The pictures of a frame; empty if there is none.
 struct Pictures {
   Bytes expected, actual, difference;
-  int width = 0, height = 0;  ///< Of the larger one.
+  int width = 0, height = 0;  ///< The largest of the pictures.
 
   std::size_t size() const { return expected.size() + actual.size() + difference.size(); }
 };
@@ -34,7 +34,7 @@ Bytes read_picture(const std::filesystem::path& path, Pictures& pictures) {
   return bytes;
 }
 
-/// The image of a difference as a page shows it: the square root makes faint ones visible, too.
+/// The image of a difference for the page. The square root makes faint differences visible.
 Bytes shown_difference(image::Image difference) {
   for (std::uint8_t& sample : difference.pixels) {
     sample = static_cast<std::uint8_t>(std::lround(std::sqrt(255.0 * sample)));
@@ -88,7 +88,7 @@ std::string figure(const char* kind, const char* caption, const Bytes& png,
       kind, width, text::escape_xml(frame.name), caption, system::base64(png));
 }
 
-/// A rectangle around what differs, unless that is most of the picture.
+/// A rectangle around the area that differs, unless that is most of the picture.
 std::string mark(const FrameResult& frame, const Pictures& pictures) {
   const image::Area& area = frame.difference.area;
   const double share =

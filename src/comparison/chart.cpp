@@ -15,7 +15,7 @@ constexpr std::size_t most_bars = 480;
 constexpr double height = 100.0;
 constexpr int decades = 6;
 
-/// 0 to 100 from a millionth to 1.
+/// Maps a millionth ... 1 to 0 ... 100, logarithmically.
 double on_scale(double value) {
   return height * std::clamp(1.0 + std::log10(std::max(value, 1e-300)) / decades, 0.0, 1.0);
 }
@@ -46,7 +46,7 @@ std::vector<Bar> bars_of(const Comparison& comparison) {
   return bars;
 }
 
-/// A path of those bars that `is_of` it; what differs at all is at least visible.
+/// The path of the bars for which `is_of` is true. Even the smallest difference is visible.
 template <typename Predicate>
 std::string path(const char* kind, const std::vector<Bar>& bars, Predicate is_of) {
   constexpr double least = 2.0;

@@ -6,8 +6,8 @@
 
 namespace twrench::comparison {
 
-/// Returns a figure of HTML that shows how much each frame of a film differs, on a logarithmic
-/// scale: the worst of as many frames as share a bar.
+/// Returns an HTML figure that shows how much each frame of a film differs, on a logarithmic scale.
+/// A bar for several frames shows the worst of them.
 std::string difference_chart(const Comparison& comparison);
 
 }  // namespace twrench::comparison

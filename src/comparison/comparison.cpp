@@ -38,7 +38,7 @@ FrameResult compare_files(const Inputs& folders, const std::string& name,
                           criteria);
 }
 
-/// A frame that one of the folders lacks; the other's must be whole all the same.
+/// A frame that one of the folders lacks. The file in the other one must be complete nevertheless.
 FrameResult unpaired(const std::filesystem::path& path, Outcome outcome) {
   image::require_whole_png(system::read_regular_file(path, image::max_png_size), path.string());
   FrameResult frame;
@@ -101,7 +101,7 @@ Comparison compare_folders(const Inputs& folders, const Criteria& criteria,
         "cannot compare " + folders.expected.string() + " with " + folders.actual.string(),
         "neither has a frame, a file called *.png");
   }
-  image::keep_memory_of_pictures(1920, 1080);  // larger ones take more time for themselves
+  image::keep_memory_of_pictures(1920, 1080);  // larger ones are slow in any case
   Comparison comparison{folders, criteria, std::vector<FrameResult>(names.size())};
   std::mutex mutex;
   int done = 0;

@@ -15,13 +15,13 @@
 
 namespace twrench::comparison {
 
-/// What decides whether two frames are alike.
+/// The measure by which two frames are alike.
 enum class Metric {
   share,  ///< The fraction of pixels that differ by more than a threshold.
   ssim,   ///< The structural similarity.
 };
 
-/// How frames are compared, and what makes two of them alike.
+/// How frames are compared, and when two of them are alike.
 struct Criteria {
   Metric metric = Metric::share;
   /// The largest difference of a channel, of 255, at which pixels count as equal.
@@ -30,21 +30,21 @@ struct Criteria {
   double share = 0.0;
   /// The least structural similarity, -1 to 1.
   double min_similarity = 1.0;
-  /// By how many pixels edges may lie elsewhere, as image::compare() says.
+  /// By how many pixels edges may be displaced; see image::compare().
   int edges = 0;
-  /// What these areas show counts as equal.
+  /// Areas whose pixels count as equal.
   std::vector<image::Area> ignored;
 };
 
-/// What was found about a frame.
+/// The result for a frame.
 enum class Outcome {
   identical,     ///< The files have the same bytes.
-  alike,         ///< The images differ by no more than they may.
-  different,     ///< They differ by more.
+  alike,         ///< The images differ within the criteria.
+  different,     ///< They differ by more than the criteria allow.
   other_format,  ///< They differ in size or channels.
   missing,       ///< There is no actual frame.
   extra,         ///< There is no expected frame.
-  unreadable,    ///< A file could not be read, or is no whole PNG file.
+  unreadable,    ///< A file could not be read, or is not a complete PNG file.
 };
 
 /// A frame, and how it differs.
@@ -52,16 +52,16 @@ struct FrameResult {
   /// The name of the files.
   std::string name;
   Outcome outcome = Outcome::identical;
-  /// Of alike and different ones; zero for identical ones.
+  /// Set for alike and different frames; zero for identical ones.
   image::Difference difference{};
-  /// Of the same, where the metric is the similarity.
+  /// Set for the same frames, if the metric is the similarity.
   std::optional<double> similarity{};
-  /// The formats of the images, where they differ in that.
+  /// The formats of the images, if these differ.
   std::string formats{};
   /// Why a frame is unreadable.
   std::shared_ptr<const system::FileError> failure{};
 
-  /// Whether it is what was expected.
+  /// Whether the frame is as expected.
   bool passed() const { return outcome == Outcome::identical || outcome == Outcome::alike; }
 };
 
@@ -84,10 +84,10 @@ struct Comparison {
 };
 
 /// Compares the frames of two folders on all processors; each processor holds one pair of frames at
-/// a time. Files of the same bytes are not decoded, only checked to be whole. A frame that cannot
-/// be read is among the results. `progress`, which may be empty, is called with the number of
-/// frames done and of all, from one thread at a time. Throws FileError if a folder cannot be read
-/// or neither has frames, and InvalidArgument as compare_pictures() does.
+/// a time. Files with the same bytes are not decoded, only checked for completeness. A frame that
+/// cannot be read is among the results. `progress`, which may be empty, is called with the number
+/// of frames done and the total, from one thread at a time. Throws FileError if a folder cannot be
+/// read or neither has frames, and InvalidArgument as compare_pictures() does.
 Comparison compare_folders(const Inputs& folders, const Criteria& criteria,
                            const std::function<void(int done, int total)>& progress);
 

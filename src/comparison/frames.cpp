@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_frame_name(const std::string& name) {
-  const std::string ending = in_small_letters(fs::path(name).extension().string());
+  const std::string ending = to_lower(fs::path(name).extension().string());
   return ending == ".png" && !name.starts_with('.');
 }
 

@@ -11,7 +11,7 @@ namespace twrench::comparison {
 /// Two folders whose frames are compared, or two files.
 struct Inputs {
   std::filesystem::path expected, actual;
-  /// Whether they are folders; the frames are then those files in them.
+  /// Whether they are folders; the frames are then the files in them.
   bool folders = true;
 
   std::filesystem::path expected_frame(const std::string& name) const;
@@ -25,9 +25,9 @@ struct FrameName {
   bool is_actual = true;
 };
 
-/// Returns the frames of two folders, sorted by name. A frame is a file called *.png, in capital
-/// letters too, that is not hidden; frames in folders within are none. A folder that is not there
-/// has no frames. Throws FileError if a folder cannot be read.
+/// Returns the frames of two folders, sorted by name. A frame is a file named *.png, also in
+/// capital letters, that is not hidden; subfolders are ignored. A folder that does not exist has no
+/// frames. Throws FileError if a folder cannot be read.
 std::vector<FrameName> frames_of(const Inputs& folders);
 
 }  // namespace twrench::comparison

@@ -16,15 +16,16 @@
 namespace twrench::comparison {
 namespace {
 
-/// Frames that a person looks at one by one, and bytes of PNG files that a browser still loads in a
-/// second. The first frame is shown however large it is.
+/// The most frames that a person looks at one by one, and the most bytes of PNG files that a
+/// browser loads in a second. The first frame is shown regardless of its size.
 constexpr std::size_t most_frames = 24;
 constexpr std::size_t most_bytes = 32U << 20U;
 
-/// Lines of the list of frames that have no pictures.
+/// The most lines in the list of frames without pictures.
 constexpr std::size_t most_lines = 1000;
 
-/// How bad it is: what could be compared and is different comes first, then what could not be.
+/// How bad an outcome is: frames that were compared and differ come first, then those that could
+/// not be compared.
 int rank(Outcome outcome) {
   switch (outcome) {
     case Outcome::other_format:
@@ -53,7 +54,7 @@ bool is_worse(const FrameResult* a, const FrameResult* b) {
   return order(*a) < order(*b);
 }
 
-/// The frames that there is something to say of, the worst first, equally bad ones by their names.
+/// The frames that are not equal to the expected ones, the worst first, equally bad ones by name.
 std::vector<const FrameResult*> worst_first(const Comparison& comparison) {
   std::vector<const FrameResult*> frames;
   for (const FrameResult& frame : comparison.frames) {
@@ -70,8 +71,8 @@ std::string title_of(const Comparison& comparison) {
       std::ranges::count_if(comparison.frames, std::not_fn(&FrameResult::passed)));
   if (failed == 0)
     return all == 1 ? "The frame is alike" : fmt::format("All {} frames are alike", all);
-  return all == 1 ? "The frame is not what was expected"
-                  : fmt::format("{} of {} frames {} not what was expected", failed, all,
+  return all == 1 ? "The frame is not as expected"
+                  : fmt::format("{} of {} frames {} not as expected", failed, all,
                                 failed == 1 ? "is" : "are");
 }
 
@@ -152,7 +153,7 @@ constexpr const char* toolbar = R"(<div class="bar" hidden>
 </div>
 )";
 
-/// Writes the frames with pictures, and returns how many they are.
+/// Writes the frames with pictures, and returns their number.
 std::size_t write_articles(const std::vector<const FrameResult*>& frames,
                            const Comparison& comparison, const Write& write) {
   std::size_t shown = 0, bytes = 0;

@@ -5,10 +5,10 @@
 
 namespace twrench::comparison {
 
-/// Writes a page of HTML that shows what was found, the worst frame first, with the expected image,
-/// the actual one and their difference. It fetches nothing: style, script and pictures are in it;
-/// pictures of as many frames as are useful to look at, and no more than a browser loads at once.
-/// What has no picture is listed. Throws FileError, and what `write` throws.
+/// Writes an HTML page that shows the results, the worst frame first, with the expected image, the
+/// actual one and their difference. The page is self-contained: it embeds its style, script and
+/// pictures. It has pictures of as many frames as are useful to look at, and no more than a browser
+/// loads at once; the other frames are listed. Throws FileError, and whatever `write` throws.
 void write_page(const Comparison& comparison, const Write& write);
 
 }  // namespace twrench::comparison

@@ -24,8 +24,8 @@ void copy_area(const image::Area& area, const Kind& from, Kind& to) {
   }
 }
 
-/// Throws FileError where the picture is a gigabyte or so, and its file far too small to be a
-/// picture of that size with anything in it.
+/// Throws FileError if the picture takes about a gigabyte, and its file is far too small for a
+/// picture of that size that shows anything.
 void require_moderate(const PngFile& file) {
   const image::PngHeader header = image::png_header(file.bytes);
   const std::uint64_t pixels = std::uint64_t{header.width} * header.height;

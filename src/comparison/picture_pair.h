@@ -20,18 +20,19 @@ struct PngFile {
   std::string name;
 };
 
-/// Throws InvalidArgument unless the areas lie within an image of that size, and none is all of it;
-/// `name` is its file.
+/// Throws InvalidArgument unless each area lies within an image of this size and is not all of it.
+/// `name` is the file of the image.
 void require_within(std::span<const image::Area> areas, int width, int height,
                     const std::string& name);
 
-/// Two images that are compared: of 16 bits a channel if either file has them, otherwise of 8.
+/// Two images to compare: with 16 bits per channel if either file has them, otherwise with 8.
 class PicturePair {
  public:
   /// Throws FileError as image::decode_png() does.
   PicturePair(const PngFile& expected, const PngFile& actual);
 
-  /// Whether they have the same size and number of channels. Everything below needs that.
+  /// Whether they have the same size and number of channels. All functions below except formats()
+  /// require this.
   bool same_format() const;
 
   /// "640x360 with 3 channels, and 640x360 with 4"
@@ -55,7 +56,7 @@ class PicturePair {
   using Pair = std::pair<Kind, Kind>;
 
   std::variant<Pair<image::Image>, Pair<image::DeepImage>> images_;
-  std::string name_;  ///< Of the actual file.
+  std::string name_;  ///< The name of the actual file.
 };
 
 }  // namespace twrench::comparison

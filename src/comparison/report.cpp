@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is to be said of a frame, after its name.
+/// The finding about a frame, without its name.
 std::string finding(const FrameResult& frame, const Criteria& criteria) {
   switch (frame.outcome) {
     case Outcome::missing:
@@ -59,7 +59,7 @@ std::string summary_line(const Comparison& comparison) {
   return line + "\n";
 }
 
-/// The text with whatever bytes a file name may have.
+/// Serialises JSON, and replaces bytes of file names that are not UTF-8.
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -141,7 +141,7 @@ void write_json(const Comparison& comparison, const Write& write) {
   for (const Outcome outcome : enumerators<Outcome>)
     head["counts"][enumerator_name(outcome)] = comparison.count(outcome);
   std::string text = dump(head);
-  text.back() = ',';  // The frames follow, a line each: all of them at once could be too long.
+  text.back() = ',';  // The frames follow, one per line: all at once could be too long.
   write(text + "\n\"frames\": [\n");
   for (const FrameResult& frame : comparison.frames) {
     write(dump(frame_json(frame)) + (&frame == &comparison.frames.back() ? "\n" : ",\n"));

@@ -8,20 +8,21 @@
 
 namespace twrench::comparison {
 
-/// Where a report goes, piece by piece.
+/// Receives a report piece by piece.
 using Write = std::function<void(std::string_view)>;
 
-/// "max 30 mean 0.100000 of 255, 0.010000 of the pixels over 0": what a frame differs by.
+/// Describes how much a frame differs: "max 30 mean 0.100000 of 255, 0.010000 of the pixels over
+/// 0".
 std::string difference_text(const FrameResult& frame, const Criteria& criteria);
 
-/// Writes a line for two files; for folders one for each frame that is not what was expected, and
-/// one that sums up.
+/// Writes one line for two files. For folders, writes a line for each frame that is not as
+/// expected, and a summary.
 void write_text(const Comparison& comparison, const Write& write);
 
-/// Writes one object, with all frames.
+/// Writes one JSON object with all frames.
 void write_json(const Comparison& comparison, const Write& write);
 
-/// Writes JUnit's XML, as servers for continuous integration read it: a test case for each frame.
+/// Writes JUnit XML for continuous-integration servers: a test case for each frame.
 void write_junit(const Comparison& comparison, const Write& write);
 
 }  // namespace twrench::comparison

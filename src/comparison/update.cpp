@@ -19,7 +19,7 @@ void copy_frame(const Inputs& inputs, const std::string& name) {
   const auto actual = inputs.actual_frame(name);
   const auto bytes = system::read_regular_file(actual, image::max_png_size);
   image::require_whole_png(bytes, actual.string());
-  // A link in a folder of frames leads to a file that may be another folder's too.
+  // In a folder of frames, a link may lead to a file that another folder uses as well.
   system::PendingFile file(inputs.expected_frame(name),
                            inputs.folders ? system::Links::replace : system::Links::follow);
   file.write(bytes);

@@ -37,7 +37,7 @@ image::Frame BlankFrames::acquire() {
 }
 
 void BlankFrames::give_back(image::Frame frame) noexcept {
-  // A frame's alpha is unpremultiplied, the static background's is not.
+  // A frame's alpha is unpremultiplied; the static background's is premultiplied.
   if (background_.channels == 4) return;
   const std::lock_guard lock(mutex_);
   if (used_.size() < most) used_.push_back(std::move(frame));

@@ -9,7 +9,7 @@
 
 namespace twrench::draw {
 
-/// Frames to draw into, made of frames that were drawn and are no longer needed.
+/// A pool of frames to draw into, made from drawn frames that are no longer needed.
 class BlankFrames {
  public:
   /// `background` is the static background, premultiplied if it is RGBA.
@@ -17,7 +17,7 @@ class BlankFrames {
 
   const image::Image& static_background() const { return background_; }
 
-  /// Returns the static background compressed, as all frames refer to it.
+  /// Returns the compressed static background, which all frames share.
   const std::shared_ptr<image::StaticBands>& bands() const { return bands_; }
 
   /// Returns a frame that shows the static background.

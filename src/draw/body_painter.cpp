@@ -13,16 +13,16 @@ using Eigen::Matrix4d;
 using picture::ScreenArea;
 using picture::ViewContents;
 
-/// A software rasteriser pays for each pixel that is cleared, read back and composited; a card pays
-/// for each rectangle.
+/// Returns the number of rows to clear and read back together. A software rasteriser pays for each
+/// pixel that is cleared, read back and composited; a card pays for each rectangle.
 int rows_at_once(const gl::Framebuffer& framebuffer) {
   return framebuffer.read_mode() == gl::ReadMode::at_once ? 32 : framebuffer.height();
 }
 
-// Size in pixels of the areas of a blurred picture, each drawn in as many poses as it needs.
+// Size in pixels of the areas of a blurred picture. Each is drawn in as many poses as it needs.
 constexpr int tile_width = 160, tile_height = 64;
 
-/// Cuts the areas into ones that are at most so wide.
+/// Cuts the areas into ones that are at most `width` pixels wide.
 std::vector<image::Area> cut_to_width(const std::vector<image::Area>& areas, int width) {
   std::vector<image::Area> result;
   for (const image::Area& area : areas) {
@@ -128,7 +128,7 @@ void BodyPainter::draw_sharp(const ViewContents& contents, std::vector<PendingLa
   }
 }
 
-/// Draws each area in as many of the poses as the motion there calls for.
+/// Draws each area in as many of the poses as the motion there requires.
 void BodyPainter::draw_blurred(const ViewContents& contents, std::vector<PendingLayer>& layers) {
   const std::vector<Matrix3d>& poses = contents.blur;
   const std::vector<image::Area> areas =

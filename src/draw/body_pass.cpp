@@ -45,8 +45,8 @@ bool scatters(const ProgramKind& kind) {
   return kind.is_colored ? kind.material.metalness < 1 : kind.material.diffuse != glm::vec3(0);
 }
 
-/// Whether the body has a diffuse term is compiled in, not tested at each pixel: llvmpipe executes
-/// both branches of an if, and the second doubles the work.
+/// Whether the body has a diffuse term is decided at compile time instead of at each pixel:
+/// llvmpipe executes both branches of an if, and the second doubles the work.
 gl::Program body_program(const gl::Functions& gl, const ProgramKind& kind, const BodyModel& body,
                          bool is_of_one_material) {
   const auto file = [](const char* name) {
@@ -128,7 +128,7 @@ void BodyPass::add_programs() {
   }
 }
 
-/// Makes both vertex arrays, of which that of the edge quads is bound, read colours.
+/// Makes both vertex arrays read colours. The array of the edge quads must be bound.
 void BodyPass::add_colors() {
   gl::set_attributes(*gl_, sizeof(EdgeQuadVertex),
                      {{color_attribute, 3, offsetof(EdgeQuadVertex, color)}});
@@ -155,7 +155,7 @@ void BodyPass::draw_mirrored(const Camera& camera, const Matrix3d& X, double hei
 }
 
 void BodyPass::draw_shrunk(const Camera& camera, const Matrix3d& X, const image::Area& pane) {
-  if (!silhouette_) silhouette_.emplace(body_->mesh);
+  if (!silhouette_) silhouette_.emplace(body_->mesh, body_->intersections);
   const Matrix3d body_from_camera = (camera.camera_from_space() * X).inverse();
   const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);
   const glm::vec3 eye = picture::glm_from_eigen((camera.distance * body_from_camera.col(2)).eval());
@@ -198,8 +198,8 @@ void BodyPass::set_stage(const picture::StageUniforms& stage, const glm::vec3& p
   gl_->Enable(GL_CULL_FACE);
 }
 
-/// Draws triangles of `array`, given in indices. With `lift` in pixels, parts that touch parts
-/// drawn before are lifted over them and fade where they enter them; not with 0.
+/// Draws triangles of `array`, given in indices. If `lift` (pixels) is not 0, parts that touch
+/// parts drawn before are lifted over them and fade where they enter them.
 void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indices,
                           const Ranges& ranges, const Pose& pose, double lift) const {
   gl_->BindVertexArray(array.id());

@@ -33,9 +33,10 @@ class BodyPass {
   /// Draws the body in the pose X, space_from_body, to the bound framebuffer.
   void draw(const picture::Camera& camera, const Eigen::Matrix3d& X) const;
 
-  /// The same with analytic edge antialiasing, for a framebuffer of one sample per pixel whose
-  /// picture fills `pane`: first the body, shrunk by half a pixel along its silhouette, and then,
-  /// when all opaque items have been drawn, the edge quads over it.
+  /// The same with analytic edge antialiasing, for a framebuffer with one sample per pixel whose
+  /// picture fills `pane`. draw_shrunk() draws the body, shrunk by half a pixel along its
+  /// silhouette. When all opaque items have been drawn, draw_edge_quads() draws the edge quads over
+  /// it.
   void draw_shrunk(const picture::Camera& camera, const Eigen::Matrix3d& X,
                    const image::Area& pane);
   void draw_edge_quads(const picture::Camera& camera, const Eigen::Matrix3d& X) const;
@@ -44,15 +45,15 @@ class BodyPass {
   /// camera.
   void draw_mirrored(const picture::Camera& camera, const Eigen::Matrix3d& X, double height) const;
 
-  /// Return the programs: one for each material, and for each that parts with colours of their own
-  /// have.
+  /// Return the programs: one for each combination of a material and the presence of vertex
+  /// colours.
   const std::vector<gl::Program>& programs() const { return programs_; }
 
  private:
   void add_programs();
   void add_colors();
   void set_stage(const picture::StageUniforms& stage, const glm::vec3& picture) const;
-  /// Index ranges: for each part where its side begins, and its end.
+  /// Index ranges: the beginning of the side and the end of each part.
   struct Ranges {
     std::span<const std::size_t> side_begins, part_ends;
   };

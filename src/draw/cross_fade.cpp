@@ -25,7 +25,7 @@ std::uint8_t srgb_from_linear(double light) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(s, 0.0, 1.0)));
 }
 
-/// The mean of each pair of levels, of which there are far fewer than pixels.
+/// Returns the mean of each pair of levels. There are far fewer pairs than pixels.
 std::vector<std::uint8_t> means(double share) {
   const Levels& linear = linear_levels();
   std::vector<std::uint8_t> table;
@@ -43,7 +43,7 @@ void fade_opaque(const image::Image& to, double share, image::Image& image) {
   }
 }
 
-/// Colours count as much as they cover.
+/// Weights colours by their alpha.
 void fade_translucent(const image::Image& to, double share, image::Image& image) {
   const Levels& linear = linear_levels();
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {

@@ -39,7 +39,8 @@ void DrawListPass::draw_ghosts(const DrawList& list) const {
   constexpr double faintest = 0.25;
   draw(list, list.ghosts().faces, {.faces = Faces::near, .hidden = true, .opacity = faintest});
   draw(list, list.ghosts().edge_quads, {.hidden = true, .opacity = faintest});
-  // Moved towards the eye by less and less, so that it adds up to more and more in front.
+  // Each step is moved towards the eye by less than the one before. The visible steps add up, so
+  // the opacity increases gradually towards the front.
   constexpr int steps = 5;
   constexpr double deepest = 0.01;  // as a share of the pane's height
   const auto shown = [](int step) { return faintest + (1 - faintest) * step / (steps + 1); };

@@ -13,8 +13,8 @@ class DrawListPass {
  public:
   explicit DrawListPass(const gl::Functions& gl);
 
-  /// Draws faintly what the body, which must be the only thing drawn so far, hides of opaque
-  /// items. They fade as they enter it.
+  /// Draws, faintly, the parts of opaque items that the body hides; items fade as they enter the
+  /// body. Only the body may have been drawn before.
   void draw_ghosts(const picture::DrawList& list) const;
 
   /// Draws opaque items with depth test and depth writes, and their outlines. Draw their edge quads
@@ -33,7 +33,7 @@ class DrawListPass {
   struct Mode {
     Faces faces = Faces::all;
     bool writes_depth = false;
-    /// Whether only what is behind other things is drawn, instead of what is in front.
+    /// Whether to draw the parts behind other things, instead of those in front.
     bool hidden = false;
     double opacity = 1;
     /// Added to z in clip space.

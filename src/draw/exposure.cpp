@@ -9,7 +9,7 @@
 namespace twrench::draw {
 namespace {
 
-// Of linear light: finer than sRGB's smallest step except in the darkest tones.
+// Number of levels of linear light: finer than sRGB's smallest step except in the darkest tones.
 constexpr int steps = 4096;
 
 std::array<float, 256> linear_table() {
@@ -20,7 +20,7 @@ std::array<float, 256> linear_table() {
   return table;
 }
 
-/// sRGB values, 0 to 255, at i / steps of full light.
+/// Returns a table of sRGB values, 0 to 255, at i / steps of full light.
 std::vector<float> srgb_table() {
   std::vector<float> table;
   for (int i = 0; i <= steps; ++i) {

@@ -11,10 +11,10 @@ namespace twrench::draw {
 /// Averages images in linear light, as an open shutter does.
 class Exposure {
  public:
-  /// For images of that size.
+  /// `width` and `height` are those of the images.
   Exposure(int width, int height);
 
-  /// Adds an image: RGBA, premultiplied.
+  /// Adds an image, which is premultiplied RGBA.
   void add(const image::Image& image);
 
   /// Returns the mean of the images added, at least one, as premultiplied RGBA.
@@ -27,10 +27,10 @@ class Exposure {
   std::vector<float> sums_;
 };
 
-/// An exposure of pictures some of which may be in transfer from a graphics card.
+/// An exposure whose pictures may still be in transfer from a graphics card.
 class PendingExposure {
  public:
-  /// For pictures of that size.
+  /// `width` and `height` are those of the pictures.
   PendingExposure(int width, int height) : exposure_(width, height) {}
   PendingExposure(PendingExposure&&) = default;  // otherwise a vector would copy it
 

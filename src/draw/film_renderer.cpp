@@ -15,7 +15,7 @@
 namespace twrench::draw {
 namespace {
 
-/// Throws if the shot has no layout, or a caption that cannot be set.
+/// Throws if the shot has no layout, or if its caption cannot be set.
 void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface) {
   try {
     const picture::Layout layout = picture::compute_layout(shot.scene);
@@ -26,7 +26,7 @@ void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface)
   }
 }
 
-/// Composites both frames, and returns the one as it fades into the other.
+/// Composites both frames and returns the fade from the first to the second.
 image::Frame faded(const image::PendingFrame& from, const image::PendingFrame& to, double share) {
   const image::Frame before = from.composite();
   image::Frame frame = to.composite();
@@ -44,8 +44,8 @@ FilmRenderer::FilmRenderer(gl::Context& context, const scene::Scene& film)
   for (const scene::Shot& shot : film.shots) require_drawable(shot, typeface);
 }
 
-/// Gives up the shots that the frame does not show and that no frame in progress needs: on this
-/// thread, because their objects in OpenGL go with them.
+/// Destroys the renderers of the shots that neither the frame shows nor a frame in progress uses.
+/// This happens on the drawing thread, because their OpenGL objects are destroyed with them.
 void FilmRenderer::leave_others(const timeline::FilmFrame& frame) {
   const std::lock_guard lock(mutex_);
   std::erase_if(stages_, [&](const auto& stage) {
@@ -84,7 +84,7 @@ image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
   const auto draw = [&](std::size_t shot, timeline::FrameState state) -> image::PendingFrame {
     const std::shared_ptr<Stage> drawing = stage(timeline, shot);
     const image::PendingFrame drawn = drawing->renderer.begin(std::move(state), moving);
-    // The frame in progress keeps the shot.
+    // Captured, so that the shot lives as long as the frame is in progress.
     return {drawn.fetch, [drawing, drawn] { return drawn.composite(); }};
   };
   const image::PendingFrame own = draw(frame.shot, std::move(frame.state));

@@ -11,20 +11,20 @@
 
 namespace twrench::draw {
 
-/// Draws the frames of a film, with shots or without. Each shot has its own renderer, made when a
-/// frame needs it and given up when the frames have gone on. Use it only on the thread that created
-/// it.
+/// Draws the frames of a film, with or without shots. Each shot has its own renderer, which is
+/// created when a frame needs it and destroyed once no frame uses it. Use the film renderer only on
+/// the thread that created it.
 class FilmRenderer {
  public:
   /// Examines the layout and the text of all shots. Throws InvalidArgument about a shot that cannot
   /// be drawn. The context and the film must outlive the renderer.
   FilmRenderer(gl::Context& context, const scene::Scene& film);
 
-  /// Returns the camera of the frame's first view. Throws as Renderer() does where a shot begins
-  /// with the frame.
+  /// Returns the camera of the frame's first view. If a shot begins with the frame, throws as
+  /// Renderer() does.
   picture::Camera camera(const timeline::FilmTimeline& timeline, const timeline::FilmFrame& frame);
 
-  /// Begins a frame of the timeline, as Renderer::begin() does. `camera` is that of the frame.
+  /// Begins a frame of the timeline, as Renderer::begin() does. `camera` is the frame's camera.
   /// Throws as camera() does.
   image::PendingFrame begin(const timeline::FilmTimeline& timeline, timeline::FilmFrame frame,
                             const picture::Camera& camera);
@@ -39,7 +39,7 @@ class FilmRenderer {
   /// Returns how many frames should be in progress before the oldest is completed.
   std::size_t frames_ahead() const;
 
-  /// Returns GL's renderer and version; frames are byte-identical where these are the same.
+  /// Returns GL's renderer and version. If they are the same, frames are byte-identical.
   std::string description() const;
 
   /// Returns a digest of the font files' bytes; frames depend on it too.

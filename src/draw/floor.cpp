@@ -22,16 +22,16 @@ using Eigen::Vector3f;
 using picture::Camera;
 
 constexpr int rows_of_grid = 120;
-constexpr int most_columns = 4096;  // twice as many may be drawn by any OpenGL
-// Subtracted from the shadow, of 255: too little to be seen, but the shadow then ends, and what
-// lies beyond need not be composited.
+constexpr int most_columns = 4096;  // every OpenGL supports the framebuffer's twice as many
+// Subtracted from the shadow, out of 255. This is too little to be seen, but it bounds the shadow,
+// and pixels outside it need not be composited.
 constexpr float least_shadow = 2;
-constexpr double pool = 0.8;  // in radii: half its width, where the light has fallen to a quarter
-constexpr double pool_depth = 2;  // times its width, away from the eye, as a gleam is drawn out
-constexpr double far_away = 3.0;  // in radii from its middle, where the floor ends
+constexpr double pool = 0.8;  // half its width in radii; the light has fallen to a quarter there
+constexpr double pool_depth = 2;  // in widths, away from the eye: a gleam is elongated
+constexpr double far_away = 3.0;  // in radii from the pool's middle, where the floor ends
 
-/// The pool's light at a distance from its middle with that square, in units of its width: a lamp's
-/// falloff.
+/// The pool's light at the given squared distance from its middle, in units of half its width: the
+/// falloff of a lamp.
 double falloff(double squared_distance) {
   const double share = 1 / (1 + squared_distance);
   return share * share;
@@ -62,14 +62,14 @@ void blur_line(Cell* line, int count, std::ptrdiff_t stride) {
   }
 }
 
-/// From 0 at a side to 1 at some distance from it, both as fractions of the pane.
+/// Rises from 0 at a side to 1 at some distance from it, both as fractions of the pane.
 double ramp(double distance) {
   constexpr double way = 0.15;
   const double share = std::clamp(distance / way, 0.0, 1.0);
   return share * share * (3 - 2 * share);
 }
 
-/// Returns a picture of two by two pixels for each cell as cells, blurred.
+/// Averages each two by two pixels of a picture to a cell, and blurs the cells.
 std::vector<SoftLayer::Cell> blurred(const image::Image& image) {
   const int columns = image.width / 2, rows = image.height / 2;
   std::vector<SoftLayer::Cell> cells;
@@ -176,7 +176,7 @@ gl::Readback Floor::begin_reflection(const Camera& camera, const Matrix3d& X, co
 }
 
 /// Adds the fraction of the light from above, a cos^4 lobe about the vertical, that the spheres
-/// block at each point: for a sphere seen under the half angle a at theta from the vertical,
+/// block at each point. For a sphere seen under the half angle a at theta from the vertical, it is
 /// approximately 5 cos^4(theta) (1 - cos a).
 void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Area& area,
                        std::vector<Cell>& cells) const {

@@ -14,15 +14,15 @@
 
 namespace twrench::draw {
 
-/// A horizontal floor just below the space that the rotating body sweeps: a pool of light around
-/// the point below its centre that fades out before the horizon, with the body's shadow and a faint
-/// reflection. Both are computed on a grid of at most 120 rows over the picture, because they are
-/// soft.
+/// A horizontal floor just below the space that the rotating body sweeps. It shows a pool of light
+/// around the point below the body's centre, which fades out before the horizon, and the body's
+/// shadow and a faint reflection. Shadow and reflection are soft and therefore computed on a grid
+/// of at most 120 rows over the picture.
 class Floor {
  public:
-  /// The floor fills the pane of a picture of that size, below parts with that bounding radius
-  /// about the origin, in cm. It fades out where another pane adjoins, so that floors do not meet
-  /// in a line.
+  /// The floor fills `pane` in `picture`, below parts with the bounding radius `radius` about the
+  /// origin, in cm. It fades out where another pane adjoins, because the edge of two floors would
+  /// show as a line.
   Floor(const gl::Functions& gl, gl::ReadMode mode, const picture::FloorStyle& style,
         const image::Area& pane, const image::Area& picture, std::span<const body::Part> parts,
         double radius);
@@ -58,7 +58,7 @@ class Floor {
   double radius_;  ///< Bounding radius in cm.
   double height_;  ///< Height of the floor, y in space, in cm; negative.
   int columns_, rows_;
-  /// Of two by two pixels for each cell. Multisampling would need programs of its own, which would
+  /// Has two by two pixels for each cell. Multisampling would need additional programs, which would
   /// delay the first frame.
   gl::Framebuffer framebuffer_;
   std::vector<picture::Ball> balls_;

@@ -49,7 +49,7 @@ image::Image empty_picture(const scene::Scene& scene) {
 /// The parts of which a frame is composited.
 struct Renderer::Ingredients {
   timeline::FrameState state;
-  std::optional<image::Image> background;  ///< Seen through another camera than the view's own.
+  std::optional<image::Image> background;  ///< Set unless the view's own camera is used.
   struct DrawnLayer {
     PendingLayer layer;
     bool is_dimmed;
@@ -66,7 +66,7 @@ struct Renderer::Parts {
   gl::Functions gl;
   gl::Framebuffer framebuffer;
   canvas::Typeface typeface;
-  /// A view, and whether what the scene stresses lets it step back.
+  /// A view, and whether it is dimmed because the scene stresses other features.
   struct ShownView {
     std::unique_ptr<View> view;
     std::unique_ptr<ViewPainter> painter;
@@ -90,7 +90,7 @@ struct Renderer::Parts {
                   const Layout& layout);
   void add_panels(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                   const Layout& layout);
-  /// The static background. With `camera`, the body is seen through that at first.
+  /// The static background. `camera`, if given, replaces the first view's own.
   image::Image background(const std::optional<Camera>& camera);
   /// A frame that shows `other_background`, or the blank one.
   image::Frame blank_frame(std::optional<image::Image> other_background);
@@ -130,7 +130,7 @@ void Renderer::Parts::add_bodies(const scene::Scene& scene,
   }
 }
 
-/// Adds the other views, which show the first motion. Beside a body they can be dimmed.
+/// Adds the other views, which show the first motion. They can be dimmed beside a body.
 void Renderer::Parts::add_insets(const scene::Scene& scene,
                                  const std::vector<timeline::Solution>& solutions,
                                  const Layout& layout) {
@@ -210,7 +210,7 @@ image::Frame Renderer::Parts::blank_frame(std::optional<image::Image> other_back
   return frame;
 }
 
-/// Draws the views; with `camera`, the first is seen through that.
+/// Draws the views. `camera`, if given, replaces the first view's own.
 Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
                                             const std::optional<Camera>& camera) {
   Ingredients drawn;

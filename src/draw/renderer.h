@@ -31,20 +31,20 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Draws a frame with OpenGL; what is drawn without it, and compositing, is left to
-  /// PendingFrame::composite(), which may run while other frames are begun. Several frames may be
-  /// in progress, and completed in any order. The renderer must outlive them. With `camera`, the
-  /// body is seen through that instead of the first view's own.
+  /// Draws the OpenGL part of a frame. PendingFrame::composite() does the rest, including the
+  /// compositing, and may run while other frames are begun. Several frames may be in progress and
+  /// may be completed in any order. The renderer must outlive them. `camera`, if given, replaces
+  /// the first view's own camera of the body.
   image::PendingFrame begin(timeline::FrameState state,
                             const std::optional<picture::Camera>& camera = {});
 
   image::Frame draw(timeline::FrameState state) { return begin(std::move(state)).get(); }
 
-  /// Returns whether it drew the frame.
+  /// Returns whether this renderer drew the frame.
   bool drew(const image::Frame& frame) const noexcept;
 
-  /// Takes back a frame that it drew and that is no longer needed, so that a later one can reuse
-  /// its memory: only its damaged areas must then be restored. Thread-safe.
+  /// Takes back a frame that this renderer drew and that is no longer needed. A later frame can
+  /// reuse its memory, and only its damaged areas must then be restored. Thread-safe.
   void reuse(image::Frame frame) noexcept;
 
   /// Returns how many frames should be in progress before the oldest is completed, so that drawing
@@ -54,8 +54,8 @@ class Renderer {
   /// Returns the static background.
   const image::Image& static_background() const;
 
-  /// Returns the camera of the first view, which shows the body if any does, for coordinates in
-  /// space.
+  /// Returns the camera of the first view, for coordinates in space. The first view shows the body
+  /// if any view does.
   picture::Camera camera(const timeline::FrameState& state) const;
 
  private:

@@ -14,8 +14,8 @@ namespace {
 
 // Levels are in units of 2^-6, so that the difference of two, doubled, fits into 16 bits.
 constexpr int level_bits = 6;
-constexpr int band_height = 32;          // of the areas that are reported as affected
-constexpr float opaque = (1 << 14) - 1;  // alpha is 2^-14 of the whole: four times it fits too
+constexpr int band_height = 32;          // rows of each area that is reported as affected
+constexpr float opaque = (1 << 14) - 1;  // alpha, in units of 2^-14: four times it fits too
 
 /// A position between the centres of two cells of a row or column of cells.
 struct Between {
@@ -23,7 +23,7 @@ struct Between {
   float share;  ///< of the second
 };
 
-/// `place` is in cells from the first one's outer edge.
+/// `place` is in cells, from the outer edge of the first cell.
 Between between(double place, int count) {
   const double within = std::clamp(place - 0.5, 0.0, count - 1.0);
   const int first = static_cast<int>(within);
@@ -46,7 +46,7 @@ Range around(const Range& a, const Range& b) {
 
 /// Returns the least range of a row's cells that contains all visible ones.
 Range visible(const SoftLayer::Cell* row, int columns) {
-  constexpr float least = 0.25;  // less is lost when it is rounded
+  constexpr float least = 0.25;  // lower values are lost in rounding
   const auto is_visible = [](const SoftLayer::Cell& cell) { return cell[3] >= least; };
   const auto* const end = row + columns;
   const auto* const first = std::find_if(row, end, is_visible);
@@ -56,15 +56,15 @@ Range visible(const SoftLayer::Cell* row, int columns) {
   return {static_cast<int>(first - row), static_cast<int>(last - row)};
 }
 
-/// A row of cells interpolated to the columns of the picture: three values for each pixel, as the
-/// picture has, so that rows of pixels are composited by vector instructions.
+/// A row of cells interpolated to the columns of the picture, with three values for each pixel like
+/// the picture, so that vector instructions can composite rows of pixels.
 struct Line {
   int row = -1;
   std::vector<std::int16_t> color, alpha;
 };
 
-/// Composites what lies between two lines, `share` of 2^15 of the way from the first, over `out`:
-/// the values of `range`.
+/// Composites over `out` the values of `range`, interpolated between two lines at `share` / 2^15 of
+/// the way from the first.
 void lay_values(const Line& upper, const Line& lower, std::int16_t share,
                 const std::vector<std::int16_t>& rounding, const Range& range,
                 std::uint8_t* __restrict out) {
@@ -140,7 +140,7 @@ class Enlarger {
 
   const Range& visible_of(int row) const { return visible_[static_cast<std::size_t>(row)]; }
 
-  /// Returns the line of a row of cells. Neighbours are held at the same time.
+  /// Returns the line of a row of cells. Two neighbouring lines are kept.
   const Line& line(int row) {
     Line& line = lines_[static_cast<std::size_t>(row % 2)];
     if (line.row != row) interpolate(row, line);
@@ -171,7 +171,7 @@ class Enlarger {
   image::Area area_;
   std::vector<Between> columns_;  // of each pixel
   std::vector<Range> visible_;    // pixels that each row of cells may change
-  // What is added before rounding down, on even rows and on odd ones.
+  // Offsets added before rounding down, on even rows and on odd ones.
   std::array<std::vector<std::int16_t>, 2> rounding_;
   std::array<Line, 2> lines_;
 };

@@ -7,18 +7,17 @@
 
 namespace twrench::draw {
 
-/// Draws what a view shows, on its renderer's thread.
+/// Draws the contents of a view, on its renderer's thread.
 class ViewPainter {
  public:
   virtual ~ViewPainter() = default;
 
-  /// Returns what View::add_still() has put into the contents, as layers in the order in which they
-  /// are composited.
+  /// Returns the contents that View::add_still() added, as layers in compositing order.
   virtual std::vector<picture::Layer> draw_still(const picture::ViewContents& contents) = 0;
 
-  /// Returns the contents as layers in the order in which they are composited. They lie entirely
-  /// inside the picture and are as small as what they show. This painter and others may draw on
-  /// before a layer is completed; the painter outlives its layers.
+  /// Returns the contents as layers in compositing order. They lie entirely inside the picture and
+  /// are as small as their contents. Painters may draw more before a layer is completed; the
+  /// painter outlives its layers.
   virtual std::vector<PendingLayer> draw(const picture::ViewContents& contents) = 0;
 };
 

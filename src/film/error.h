@@ -4,7 +4,7 @@
 
 namespace twrench::film {
 
-/// The folder has frames that the run does not know to be of the same video.
+/// The folder has frames that may belong to another video.
 class ForeignFramesError : public system::OverwriteError {
  public:
   /// `sharded`: whether the run draws one of several shards into the folder.
@@ -17,12 +17,12 @@ class ForeignFramesError : public system::OverwriteError {
   bool sharded_;
 };
 
-/// The disk has too little room for the frames and the video.
+/// The disk has too little space for the frames and the video.
 struct SpaceError : system::FileError {
   using FileError::FileError;
 };
 
-/// The system does not start the threads that compress frames.
+/// The system refuses to start the threads that compress frames.
 struct ThreadError : system::FileError {
   using FileError::FileError;
 };

@@ -40,7 +40,7 @@ std::size_t FramesOutput::count_without_file() const {
 
 video::FrameSequence& FramesOutput::open() {
   sequence_ = std::make_unique<video::FrameSequence>(folder_, film_);  // locks the folder
-  // Another run may have ended since this one looked, and this one waited for its lock.
+  // While this run waited for its lock, another run may have written frames and ended.
   earlier_ = video::EarlierRun(folder_, film_, frames_);
   refuse_to_destroy(folder_, earlier_, film_.shard, reuse_);
   const auto number = [](const video::FrameRecord& record) { return record.frame; };

@@ -9,7 +9,7 @@
 
 namespace twrench::film {
 
-/// What a run will write.
+/// The planned output of a run.
 struct PlannedOutput {
   /// Folder of the frames; nothing if none are written.
   std::optional<std::filesystem::path> frames_folder;
@@ -23,11 +23,11 @@ struct PlannedOutput {
   double frame_pixels = 0;
 };
 
-/// Throws SpaceError if the disk has not enough room. First it checks for room for uncompressed
-/// frames and a video of two bits per pixel, which is usually enough. Only otherwise is a frame
-/// drawn; the estimate is then that every PNG is a quarter larger, and the video a tenth of the
-/// PNGs. (Measured with the default scene: no frame is a quarter larger than the mean, and the
-/// video is a fiftieth.)
+/// Throws SpaceError if the disk has too little space. First it checks for space for uncompressed
+/// frames and a video of two bits per pixel, which there usually is. Only if there is not, it draws
+/// a frame and estimates that every PNG is a quarter larger, and the video a tenth of the PNGs.
+/// (Measured with the default scene: no frame is a quarter larger than the mean, and the video is a
+/// fiftieth.)
 void require_space(const PlannedOutput& output, const std::function<image::Image()>& draw_one);
 
 }  // namespace twrench::film

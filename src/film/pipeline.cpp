@@ -23,7 +23,7 @@ struct DrawnEntry {
   image::PendingFrame frame;
 };
 
-/// A frame and its record, on the way through the stages.
+/// A frame and its record, on their way through the stages.
 struct Entry {
   const video::FrameRecord* record;
   std::shared_ptr<const image::Frame> frame;
@@ -56,8 +56,8 @@ class Pipeline {
     }
   }
 
-  /// Passes a frame that has been drawn on to the stages. Returns false if one has failed, so that
-  /// drawing more is pointless.
+  /// Passes a drawn frame on to the stages. Returns false if a stage has failed, so that drawing
+  /// more is pointless.
   bool pass_on(const video::FrameRecord& record, image::PendingFrame frame) {
     return to_composite_.push({&record, std::move(frame)});
   }
@@ -102,7 +102,7 @@ class Pipeline {
     to_encode_.close();
   }
 
-  /// Closes the stages behind it when the frames in flight are composited.
+  /// Composites the frames, and then closes the later stages.
   void composite() {
     while (auto drawn = to_composite_.pop()) {
       std::shared_ptr<const image::Frame> frame;
@@ -159,7 +159,7 @@ class Pipeline {
   std::atomic_flag first_;
   std::mutex error_mutex_;
   std::exception_ptr error_;
-  std::vector<std::jthread> threads_;  ///< last: joined before what they use is destroyed
+  std::vector<std::jthread> threads_;  ///< declared last, so that they are joined first
 };
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace twrench::film {
 
-/// Where and how drawn frames are written.
+/// The outputs of drawn frames.
 struct Outputs {
   /// PNG files, or null.
   video::FrameSequence* sequence = nullptr;
@@ -26,16 +26,16 @@ struct Outputs {
   std::chrono::steady_clock::time_point start{};
 };
 
-/// Is told how many frames of how many have been drawn.
+/// Receives the number of frames drawn and the number of all frames.
 using ProgressCallback = std::function<void(int done, int total)>;
 
 /// How frames are drawn.
 struct Drawing {
   /// Begins the frame with that index.
   std::function<image::PendingFrame(std::size_t index)> begin;
-  /// How many frames are begun before the oldest is fetched.
+  /// Number of frames that are begun before the oldest is fetched.
   std::size_t ahead = 0;
-  /// Takes back a frame when all stages have finished with it, on the last stage's thread; may be
+  /// Receives a frame when all stages have finished with it, on the last stage's thread; may be
   /// empty.
   std::function<void(image::Frame)> reuse = {};
 };

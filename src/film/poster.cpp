@@ -1,16 +1,20 @@
 #include "film/poster.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "draw/film_renderer.h"
+#include "image/stb.h"
 #include "scene/natural_times.h"
+#include "system/base64.h"
 #include "timeline/film_timeline.h"
 
 namespace twrench::film {
 namespace {
 
-/// The scene of one frame, which costs the page few bytes.
+/// The scene reduced to one frame, whose picture adds few bytes to the page.
 scene::Scene still(scene::Scene scene) {
   constexpr double longest = 960;
   const double scale = longest / std::max(scene.film.width, scene.film.height);
@@ -26,7 +30,7 @@ scene::Scene still(scene::Scene scene) {
   scene.look.transparent = false;
   scene.shots.clear();
   scene.title.clear();
-  // Nothing of t > 0 is seen, so the film has one frame and the motion one step.
+  // Only t = 0 is shown, so the film has one frame and the motion one step.
   scene.motion.method = "exact";
   scene.motion.duration = scene.film.speed = scene::natural_times(scene).step;
   scene.film.fps = 1;
@@ -41,6 +45,14 @@ image::Image poster(const scene::Scene& scene, const gl::BackendChoice& backend)
   const gl::OpenedContext opened = gl::open_context(backend);
   draw::FilmRenderer renderer(*opened.context, drawn);
   return renderer.draw(timeline, timeline.frame(0)).image;
+}
+
+std::string poster_html(const scene::Scene& scene, const gl::BackendChoice& backend) {
+  constexpr int quality = 80;
+  const image::Image picture = poster(scene, backend);
+  return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/jpeg;base64,{}\">",
+                     picture.width, picture.height,
+                     system::base64(image::stb::jpeg(picture, quality)));
 }
 
 }  // namespace twrench::film

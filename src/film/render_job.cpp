@@ -28,7 +28,7 @@ std::array<double, count> row_major(const Matrix& matrix) {
   return values;
 }
 
-/// The frame with the first motion's pose.
+/// The record of a frame, with the pose of its first motion.
 video::FrameRecord record_of(const timeline::FilmFrame& frame, const timeline::FlipsSoFar& flips,
                              const picture::Camera& camera) {
   const timeline::FrameState& state = frame.state;
@@ -67,8 +67,8 @@ std::future<void> try_encoder(const RenderSettings& settings, const scene::Scene
   });
 }
 
-/// Opens the encoder, tested before. It starts while the test finishes; a missing folder is created
-/// only after the test has passed, so that none is left behind on failure.
+/// Opens the encoder, which starts while its test finishes. A missing folder is created only after
+/// the test has passed, so that none is left behind on failure.
 std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings,
                                                   const scene::Scene& scene,
                                                   const std::string& identity,
@@ -157,7 +157,7 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     : scene_(scene), settings_(std::move(settings)) {
   const std::vector<int> asked = asked_frames(scene_, settings_.range);  // of all shards
   const std::vector<int> numbers = video::frames_of_shard(asked, settings_.shard);
-  gl_trial_.emplace(settings_.backend);  // forks, so before there are threads
+  gl_trial_.emplace(settings_.backend);  // forks, so do it before there are threads
   std::future<void> encoder_trial = try_encoder(settings_, scene_);
   {
     const Timed timed(times_.pose);
@@ -184,7 +184,7 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
   if (settings_.video) {
     const auto tracks = text_tracks_of(scene_, *timeline_, *settings_.video);
     encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(encoder_trial));
-    // Another run may have written it since, for whose end the encoder waited.
+    // While the encoder waited for another run to end, that run may have written the video.
     if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
     text_tracks_ = std::make_unique<video::TextTrackFiles>(settings_.video->path, tracks, identity,
                                                            settings_.reuse == Reuse::overwrite);

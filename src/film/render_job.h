@@ -21,10 +21,10 @@
 
 namespace twrench::film {
 
-/// Returns the number of threads that compress frames unless the caller says otherwise: half the
-/// processors, at most eight. Drawing and the encoder use the other half; more would only compete
-/// with them for time and cache. Drawing in software keeps one or two busy (docs/scaling.md), and
-/// each holds a frame in memory.
+/// Returns the default number of threads that compress frames: half the processors, at most eight.
+/// Drawing and the encoder use the other half; more threads would only compete with them for time
+/// and cache. Drawing in software keeps one or two processors busy (docs/scaling.md), and each
+/// thread has a frame in memory.
 int default_job_count();
 
 /// The video of a run.
@@ -38,17 +38,17 @@ struct VideoOutput {
   bool is_streamed() const { return path == "-"; }
 };
 
-/// What a run draws, and where it writes it.
+/// The settings of a run: what it draws and where it writes.
 struct RenderSettings {
   /// Folder of the PNG frames and their manifest; nothing if none are written.
   std::optional<std::filesystem::path> frames_folder;
-  /// Nothing if no video is written.
+  /// The video; nothing if none is written.
   std::optional<VideoOutput> video;
   /// The frames to draw, as video::parse_frame_range() reads them; all of them if empty.
   std::string range;
   /// The part of those frames that this run draws.
   video::Shard shard;
-  /// What it may do with frames and a video that exist.
+  /// How the run treats existing frames and an existing video.
   Reuse reuse = Reuse::none;
   /// Number of threads that compress frames, at least 1.
   int jobs = default_job_count();
@@ -61,15 +61,15 @@ struct RenderSettings {
 /// that created it.
 class RenderJob {
  public:
-  /// Opens OpenGL and the outputs. Whatever can fail for a reason known in advance fails here,
-  /// before the first frame: throws InvalidArgument, MotionError, GlError, EncoderError,
-  /// FileError and OverwriteError as the stages do, and SpaceError.
+  /// Opens OpenGL and the outputs. All errors that can be detected in advance are thrown here,
+  /// before the first frame: InvalidArgument, MotionError, GlError, EncoderError, FileError and
+  /// OverwriteError as the stages throw them, and SpaceError.
   RenderJob(const scene::Scene& scene, RenderSettings settings);
 
   /// Returns the number of frames of the run.
   std::size_t size() const { return frames_.size(); }
 
-  /// Returns what OpenGL was used in place of the requested one, and why; usually empty.
+  /// Returns which OpenGL is used instead of the requested one, and why; usually empty.
   const std::string& note() const { return opened_.note; }
 
   /// Draws and writes all frames, and completes the video. `progress` may be empty. Throws as the
@@ -80,7 +80,7 @@ class RenderJob {
   /// frames. For a TerminationAction: may be called on another thread, under hold_termination().
   std::optional<std::size_t> record_frames();
 
-  /// How long the stages were busy so far.
+  /// Returns how long the stages have been busy so far.
   const StageTimes& times() const { return times_; }
 
  private:
@@ -88,7 +88,7 @@ class RenderJob {
   StageTimes times_;
   const scene::Scene scene_;
   const RenderSettings settings_;
-  /// Kept until the end: waiting for the end of its child would delay the first frame.
+  /// Kept until the end, because waiting for its child to end would delay the first frame.
   std::optional<gl::BackendTrial> gl_trial_;
   std::optional<timeline::FilmTimeline> timeline_;  ///< Like the next two, set when constructed.
   gl::OpenedContext opened_;

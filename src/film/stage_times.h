@@ -11,8 +11,8 @@ struct StageTimes {
   using Counter = std::atomic<std::int64_t>;
 
   Counter pose{0};       ///< Integrating the motion.
-  Counter draw{0};       ///< Drawing and reading back; a software rasteriser draws when it is read.
-  Counter composite{0};  ///< Drawing what needs no OpenGL, and compositing.
+  Counter draw{0};       ///< Drawing and reading back; a software rasteriser draws during reading.
+  Counter composite{0};  ///< Drawing the parts that need no OpenGL, and compositing.
   Counter convert{0};    ///< Converting to the encoder's colours.
   Counter compress{0};   ///< Compressing PNG.
   Counter write{0};      ///< Writing PNG files and computing their digests.
@@ -20,7 +20,7 @@ struct StageTimes {
   Counter first{0};      ///< Not a stage: the time from the start to the first frame written.
 };
 
-/// Adds its own lifetime to a stage.
+/// Adds its lifetime to a stage.
 class Timed {
  public:
   explicit Timed(StageTimes::Counter& total) : total_(total) {}

@@ -26,7 +26,7 @@ using Maker = std::function<std::unique_ptr<Context>()>;
 std::unique_ptr<Context> make_hardware_context() {
   try {
     for (const EglDevice& device : egl_devices()) {
-      // It selects one of the others.
+      // The surfaceless platform selects one of the other devices.
       if (device.software || device.name == "surfaceless") continue;
       try {
         auto context = make_egl_context(device.name);
@@ -39,8 +39,8 @@ std::unique_ptr<Context> make_hardware_context() {
   return nullptr;
 }
 
-/// Returns EGL's software device or, if none is marked as such, what the surfaceless platform
-/// selects.
+/// Returns a context on the software device of EGL or, if none is marked as such, on the
+/// surfaceless platform.
 std::unique_ptr<Context> make_egl_software_context() {
   const auto devices = egl_devices();
   const bool told_apart = std::ranges::any_of(devices, &EglDevice::software);
@@ -78,7 +78,7 @@ std::string try_drawing(const Context& context) {
   return renderer_string(gl);
 }
 
-/// Calls it in a child process, unless this one has used OpenGL, and survived that.
+/// Runs the call in a child process, unless this process has already used OpenGL without a crash.
 std::string call_safely(const std::function<std::string()>& call) {
   return has_used_opengl() ? call() : ChildCall(call).result();
 }

@@ -29,15 +29,17 @@ struct BackendChoice {
 
 class ChildCall;
 
-/// A trial of a backend in a child process, which a crash of the driver ends instead of this one.
-/// It runs while this process does something else. A process whose driver has worked tries no more.
+/// A trial of a backend in a child process, so that a crash of the driver does not end this
+/// process. It runs in parallel with this process. Once a driver has worked in this process, no
+/// further trials take place.
 class BackendTrial {
  public:
-  /// Starts it. Throws GlError in a process that was forked from one that has used OpenGL.
+  /// Starts the trial. Throws GlError in a process that was forked from one that has used OpenGL.
   explicit BackendTrial(BackendChoice choice);
   ~BackendTrial();
 
-  /// Waits for its end and returns the choice. Throws GlError with a remedy if the driver crashes.
+  /// Waits for the end of the trial and returns the choice. Throws GlError with a remedy if the
+  /// driver crashes.
   const BackendChoice& finish();
 
  private:
@@ -49,15 +51,16 @@ class BackendTrial {
 struct OpenedContext {
   /// The context, current on this thread.
   std::unique_ptr<Context> context;
-  /// What was used instead and why; empty if the requested backend is used.
+  /// The backend used instead, and the reason; empty if the requested backend is used.
   std::string note;
 };
 
 /// Opens a context of the requested backend.
 ///
 /// `automatic` selects the first available EGL hardware device, else OSMesa, else EGL in software;
-/// `egl` without a device does the same without OSMesa. Either reports in the note if it is not
-/// hardware. A named device, or OSMesa by name, is used or is an error.
+/// `egl` without a device does the same without OSMesa. If the result is not hardware, the note
+/// states this. A named device, or OSMesa by name, is never replaced: if it is not usable, an error
+/// is thrown.
 ///
 /// Throws GlError with a remedy if there is none, or the trial fails, and InvalidArgument as
 /// make_egl_context() does, or if an EGL device is requested together with OSMesa.
@@ -66,9 +69,9 @@ OpenedContext open_context(BackendChoice choice);
 
 /// A backend or device, and whether it is usable here.
 struct BackendReport {
-  std::string name;            ///< as the options say it: "osmesa", "egl 0", "egl surfaceless"
-  std::string renderer;        ///< GL's renderer string; empty if it is not usable.
-  std::exception_ptr failure;  ///< the Error then
+  std::string name;      ///< in the syntax of the options: "osmesa", "egl 0", "egl surfaceless"
+  std::string renderer;  ///< GL's renderer string; empty if it is not usable.
+  std::exception_ptr failure;  ///< the Error if it is not usable
 };
 
 /// Tries every backend and device in sequence, each in a child process unless this one has used

@@ -24,8 +24,8 @@
 namespace twrench::gl {
 namespace {
 
-/// The child writes that the call returned, or that it threw, then the texts, each with a NUL
-/// behind it, which none has, and then that it is done.
+/// The child writes `returned` and the text, or `threw`, the reason as a digit, the message, a NUL
+/// and the remedy. Then it writes `done`. No text contains a NUL or `done`.
 constexpr char returned = 'r', threw = 't', done = '\4';
 
 void write_all(int pipe, std::string_view text) {
@@ -42,7 +42,7 @@ std::string answer_of(const std::function<std::string()>& call) {
   } catch (const GlError& error) {
     return fmt::format("{}{}{}{}", threw, static_cast<int>(error.reason()), error.what(), '\0') +
            error.remedy() + done;
-  } catch (const std::exception&) {  // it will be thrown once more by the call in this process
+  } catch (const std::exception&) {  // the call in the parent process will throw it again
     return {returned, done};
   }
 }
@@ -78,7 +78,7 @@ std::string remedy_for_crash() {
   if (::getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) {
     return "raise the limit on memory (ulimit -v)";
   }
-  return "install the OpenGL driver again, or another version of it";
+  return "reinstall the OpenGL driver, or install another version";
 }
 
 GlError crashed(int status) {
@@ -94,20 +94,22 @@ GlError crashed(int status) {
 ChildCall::ChildCall(const std::function<std::string()>& call) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw GlError("OpenGL", fmt::format("no pipe for a trial: {}", std::strerror(errno)),
+    throw GlError("OpenGL",
+                  fmt::format("cannot create a pipe to test the driver: {}", std::strerror(errno)),
                   "raise the limit on open files (ulimit -n)");
   }
   child_ = ::fork();
   if (child_ == 0) {
     become_quiet();
     write_all(ends[1], answer_of(call));
-    ::_exit(0);  // without the destructors of what belongs to the parent
+    ::_exit(0);  // skips the destructors of the parent's objects
   }
   pipe_ = ends[0];
   ::close(ends[1]);
   if (child_ >= 0) return;
   ::close(pipe_);
-  throw GlError("OpenGL", fmt::format("no process for a trial: {}", std::strerror(errno)),
+  throw GlError("OpenGL",
+                fmt::format("cannot create a process to test the driver: {}", std::strerror(errno)),
                 "raise the limit on processes (ulimit -u)");
 }
 
@@ -136,7 +138,7 @@ std::string ChildCall::read_all() {
     pollfd from_child{pipe_, POLLIN, 0};
     const int ready = ::poll(&from_child, 1, 1000);
     if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
-    // If poll() fails, the call is waited for without a limit of time.
+    // If poll() fails, read() waits for the call without a time limit.
     const ssize_t got = ::read(pipe_, bytes.data(), bytes.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) throw crashed(reap());

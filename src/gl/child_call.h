@@ -7,11 +7,11 @@
 
 namespace twrench::gl {
 
-/// A call in a child process, which a crash of an OpenGL driver ends instead of this one.
+/// A call in a child process, so that a crash of an OpenGL driver does not end this process.
 class ChildCall {
  public:
   /// Starts the child, a copy of this process with one thread, which prints nothing. The text that
-  /// `call` returns has no control characters but line ends.
+  /// `call` returns must have no control characters except line ends.
   explicit ChildCall(const std::function<std::string()>& call);
 
   /// Kills the child if it is still running.

@@ -26,8 +26,7 @@ std::unique_ptr<Context> make_osmesa_context();
 
 /// An EGL device.
 struct EglDevice {
-  /// Name for make_egl_context().
-  /// for make_egl_context: "0", "1", ... in EGL's order, or "surfaceless"
+  /// Name for make_egl_context(): "0", "1", ... in EGL's order, or "surfaceless".
   std::string name;
   /// Whether it reports itself as a software rasteriser.
   bool software = false;

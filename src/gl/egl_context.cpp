@@ -57,7 +57,8 @@ class Egl {
   template <typename F>
   F* entry(const char* name) const {
     void* const address = library_.symbol(name);
-    if (address == nullptr) throw GlError("EGL", std::string("it has no ") + name, egl_remedy);
+    if (address == nullptr)
+      throw GlError("EGL", std::string("the library lacks ") + name, egl_remedy);
     return reinterpret_cast<F*>(address);
   }
 

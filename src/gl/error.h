@@ -4,13 +4,13 @@
 
 namespace twrench::gl {
 
-/// There is no usable OpenGL, or it cannot do what was asked.
+/// OpenGL is not usable, or does not support the request.
 class GlError : public Error {
  public:
   enum class Reason {
-    failed,              ///< none of those below
-    no_osmesa,           ///< the OSMesa library is missing or lacks what is needed
-    egl_device_refused,  ///< no context can be had on the device of EGL
+    failed,              ///< none of the reasons below
+    no_osmesa,           ///< the OSMesa library is missing or lacks a required feature
+    egl_device_refused,  ///< the EGL device provides no context
     crashed,             ///< the driver crashes or hangs
     forked,              ///< this process was forked from one that has used OpenGL
   };

@@ -84,7 +84,7 @@ struct Functions {
 std::string renderer_string(const Functions& gl);
 
 /// Returns whether GL's renderer name is that of a software rasteriser. A device may be a graphics
-/// card without a driver, for which Mesa then draws in software.
+/// card without a driver; Mesa then draws in software.
 bool draws_in_software(const Functions& gl);
 
 }  // namespace twrench::gl

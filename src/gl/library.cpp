@@ -10,7 +10,7 @@
 namespace twrench::gl {
 namespace {
 
-/// The process that opened the first library, or 0. As global as the drivers are.
+/// The process that opened the first library, or 0. Global, because drivers are.
 std::atomic<pid_t> user_of_opengl = 0;
 
 }  // namespace
@@ -19,7 +19,7 @@ bool has_used_opengl() {
   const pid_t process = user_of_opengl;
   if (process == 0 || process == ::getpid()) return process != 0;
   throw GlError("OpenGL", "this process was forked from one that has used it",
-                "start the process before the first picture is drawn", GlError::Reason::forked);
+                "fork before the first picture is drawn", GlError::Reason::forked);
 }
 
 Library::Library(std::span<const char* const> names, const std::string& remedy,

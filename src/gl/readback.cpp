@@ -73,7 +73,7 @@ void Readback::fetch() {
   }
   const bool whole = pixels != nullptr && gl_->UnmapBuffer(GL_PIXEL_PACK_BUFFER) == GL_TRUE;
   gl_->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  if (!whole) throw GlError("reading back", "OpenGL lost the pixels");
+  if (!whole) throw GlError("reading back", "the OpenGL buffer was lost");
   buffers_->give_back(std::move(*buffer_));
   buffer_.reset();
 }

@@ -53,14 +53,14 @@ class Readback {
   /// once if that is null. Later drawing does not affect the result.
   Readback(const Functions& gl, const Rectangle& area, PixelBuffers* buffers);
 
-  /// Returns whether fetch() would not wait.
+  /// Returns whether fetch() would return without waiting.
   bool is_ready() const { return !buffer_; }
 
   /// Waits for the pixels, on the context's thread. Throws GlError if they were lost.
   void fetch();
 
-  /// Returns the pixels as RGBA from the top left. It calls fetch() first; after an earlier fetch()
-  /// any thread may call it. Call it once. Throws as fetch() does.
+  /// Returns the pixels as RGBA from the top left. Call it once: on any thread after fetch(), or
+  /// else on the context's thread, because it then calls fetch(). Throws as fetch() does.
   image::Image finish();
 
  private:

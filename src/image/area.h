@@ -17,8 +17,8 @@ Area common(const Area& a, const Area& b);
 /// Returns the smallest area that contains both.
 Area around(const Area& a, const Area& b);
 
-/// Returns areas that cover all of `areas`, in which two overlapping ones are merged if their
-/// bounding rectangle is no larger than both together.
+/// Returns areas that cover all of `areas`. Two overlapping areas are merged if their bounding
+/// rectangle is no larger than both together.
 std::vector<Area> merged(std::vector<Area> areas);
 
 }  // namespace twrench::image

@@ -9,7 +9,7 @@
 namespace twrench::image {
 namespace {
 
-/// Of a step of 8 bits; 257 for 16 bits.
+/// Units of `Sample` in one step of 8 bits: 1, or 257 for 16 bits.
 template <typename Sample>
 constexpr int parts_of_step = std::numeric_limits<Sample>::max() / 255;
 
@@ -50,7 +50,7 @@ class DifferenceSums {
     bottom_ = std::max(bottom_, y);
   }
 
-  /// A loop without branches: where much differs it is most of the time.
+  /// Has no branches, because it takes most of the time if the images differ much.
   template <std::size_t channels, typename Sample>
   std::uint64_t pixels_over(std::span<const Sample> row) const {
     const auto threshold = static_cast<Sample>(threshold_);
@@ -86,7 +86,8 @@ std::optional<Difference> compare_images(const BasicImage<Sample>& a, const Basi
   return sums.result(static_cast<double>(a.pixels.size()), parts_of_step<Sample>);
 }
 
-/// A pixel of the image of differences: the channels of colour, each at least that of alpha.
+/// The value of a channel in the image of differences: that channel's difference or that of alpha,
+/// whichever is larger.
 template <typename Sample>
 int shown_difference(const Sample* pixel, int channels, std::size_t channel) {
   const int d = pixel[channel];

@@ -23,11 +23,11 @@ struct Difference {
 /// Returns the difference of two images; nothing if they differ in size or channels (`twrench
 /// compare` then reports "different"). `threshold`, 0 to 255, is the one that `share` uses.
 ///
-/// With `edges` above 0, samples are equal that lie between the least and the greatest value of
-/// their channel within that many pixels, across and down, in the other image; otherwise they
-/// differ by what they are outside of that range. So an edge may lie up to that many pixels
-/// elsewhere, however it is antialiased, but nothing may be in one image alone: each is held
-/// against the other, and the larger difference counts.
+/// With `edges` above 0, a sample counts as equal if it lies between the least and the greatest
+/// value of its channel within that many pixels, across and down, in the other image; otherwise its
+/// difference is the distance from that range. An edge may therefore lie up to that many pixels
+/// elsewhere, however it is antialiased. A detail in one image alone is still found, because each
+/// image is compared with the other, and the larger difference counts.
 std::optional<Difference> compare(const Image& a, const Image& b, int threshold, int edges = 0);
 std::optional<Difference> compare(const DeepImage& a, const DeepImage& b, int threshold,
                                   int edges = 0);

@@ -6,12 +6,13 @@
 
 namespace twrench::image {
 
-/// A frame in progress: drawn, but its pixels may still be in transfer, and it is not composited.
-/// It is completed in two stages, each called once, in this order. Copies share the frame.
+/// A frame in progress: it is drawn, but its pixels may still be in transfer, and it is not yet
+/// composited. Two functions complete it; each is called once, in this order. Copies share the
+/// frame.
 struct PendingFrame {
   /// Waits for the pixels. Call it on the thread that draws.
   std::function<void()> fetch;
-  /// Completes the frame, on any thread. Throws as what the frame is made of does.
+  /// Completes the frame, on any thread. Throws as the functions that draw its parts do.
   std::function<Frame()> composite;
 
   /// Does both on the thread that draws.

@@ -19,7 +19,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 enum Filter : std::uint8_t { none = 0, sub = 1, up = 2 };  // PNG specification, 9.2
 
-/// An image without pixels, as the header says; nothing if it is of another kind.
+/// Returns an image without pixels in the format of the header; nothing if that is another format.
 std::optional<Image> plain_format(const Chunk& chunk) {
   constexpr std::size_t header_size = 13;
   constexpr std::uint8_t depth = 8, rgb = 2, rgba = 6;
@@ -37,8 +37,8 @@ std::optional<Image> plain_format(const Chunk& chunk) {
   return format;
 }
 
-/// The compressed data, if there is nothing else behind the header but what says no more than how
-/// large a pixel is.
+/// Returns the compressed data; nothing if the file has any chunk besides the header, the data, the
+/// end and the physical size of a pixel.
 std::vector<std::span<const std::uint8_t>> plain_data(std::span<const Chunk> chunks) {
   std::vector<std::span<const std::uint8_t>> pieces;
   for (const Chunk& chunk : chunks) {
@@ -52,7 +52,8 @@ std::vector<std::span<const std::uint8_t>> plain_data(std::span<const Chunk> chu
   return pieces;
 }
 
-/// Inflates data that fill the rows but for a last byte; the checksum of the stream is asked for.
+/// Inflates data that fill `rows` except for the last byte, and verifies the checksum of the
+/// stream.
 bool inflate_rows(std::span<const std::span<const std::uint8_t>> pieces, Bytes& rows) {
   const auto state = std::make_unique<inflate_state>();
   isal_inflate_init(state.get());
@@ -68,7 +69,7 @@ bool inflate_rows(std::span<const std::span<const std::uint8_t>> pieces, Bytes& 
   return false;
 }
 
-/// Each sample is the difference from the one on its left. What is on the left stays in registers.
+/// Each sample is stored as the difference from the sample on its left, which is kept in registers.
 template <std::size_t channels>
 void undo_sub(std::span<std::uint8_t> row) {
   std::array<std::uint8_t, channels> left{};
@@ -80,7 +81,7 @@ void undo_sub(std::span<std::uint8_t> row) {
   }
 }
 
-/// Each sample is the difference from the one above.
+/// Each sample is stored as the difference from the sample above.
 void undo_up(std::span<std::uint8_t> row, const std::uint8_t* above) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     row[i] = static_cast<std::uint8_t>(row[i] + above[i]);
@@ -88,7 +89,7 @@ void undo_up(std::span<std::uint8_t> row, const std::uint8_t* above) {
 }
 
 /// Turns rows with a filter byte each into pixels, in place: every row moves towards the beginning
-/// by as many bytes as there are filters before it.
+/// by the number of filter bytes up to it.
 bool undo_filters(Image& image) {
   const std::size_t size = image.row_bytes();
   std::uint8_t* pixels = image.pixels.data();
@@ -121,7 +122,7 @@ std::optional<Image> decode_plain_png(std::span<const std::uint8_t> file,
   if (!image || pieces.empty()) return {};
   const std::size_t size = (image->row_bytes() + 1) * static_cast<std::size_t>(image->height);
   if (size > most_from_a_byte * file.size()) return {};
-  // A byte more: at the end of the room ISA-L would not look for the end of the data.
+  // One byte more, because ISA-L does not look for the end of the data when the output is full.
   image->pixels = std::move(memory);
   image->pixels.resize(size + 1);
   if (!inflate_rows(pieces, image->pixels) || !undo_filters(*image)) return {};

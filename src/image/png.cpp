@@ -11,7 +11,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The greatest byte first (PNG specification, 7.1).
+/// Appends the number, most significant byte first (PNG specification, 7.1).
 void add_number(Bytes& file, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) file.push_back(static_cast<std::uint8_t>(value >> shift));
 }

@@ -7,12 +7,12 @@
 
 namespace twrench::image {
 
-// The outer form of a PNG file (PNG specification, 5).
+// The chunk structure of PNG files (PNG specification, 5).
 
-/// What the chunks of a file are like.
+/// The state of the chunks of a file.
 enum class ChunkState { whole, no_png, cut_short, wrong_checksum };
 
-/// Whether a file consists of chunks with the right checksums, up to its end.
+/// Checks that a file consists of chunks with correct checksums up to its end.
 ChunkState check_chunks(std::span<const std::uint8_t> file);
 
 /// A chunk of a file.
@@ -21,10 +21,10 @@ struct Chunk {
   std::span<const std::uint8_t> data;
 };
 
-/// The chunks of a file that are known to be whole.
+/// Returns the chunks of a file, whose state must be `whole`.
 std::vector<Chunk> chunks_of(std::span<const std::uint8_t> file);
 
-/// Four bytes, the greatest first (PNG specification, 7.1).
+/// Returns the number in four bytes, the most significant first (PNG specification, 7.1).
 std::uint32_t png_number(std::span<const std::uint8_t> bytes, std::size_t at);
 
 }  // namespace twrench::image

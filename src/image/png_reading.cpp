@@ -20,7 +20,8 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-/// Of texts, colour profiles and the like, inflated. libspng keeps them while it decodes.
+/// The maximum size of inflated texts, colour profiles and the like, which libspng keeps while it
+/// decodes.
 constexpr std::size_t max_metadata_mebibytes = 64;
 
 std::string explanation(int code) {
@@ -29,9 +30,9 @@ std::string explanation(int code) {
     case SPNG_ESIGNATURE:
     case SPNG_EIHDR_SIZE:
     case SPNG_ENOIHDR:
-      return "it is no PNG image";
+      return "it is not a PNG image";
     case SPNG_IO_EOF:
-      return "it is no PNG image, or cut short";
+      return "it is not a PNG image, or it is truncated";
     case SPNG_EUSER_WIDTH:
     case SPNG_EUSER_HEIGHT:
       return fmt::format("it is too large: a side has more than {} pixels", max_image_side);
@@ -43,7 +44,7 @@ std::string explanation(int code) {
     case SPNG_EIDAT_STREAM:
       return "its compressed data are damaged";
     case SPNG_EIDAT_TOO_SHORT:
-      return "its compressed data are cut short";
+      return "its compressed data are truncated";
     default:
       return fmt::format("it is damaged ({})", spng_strerror(code));
   }
@@ -72,10 +73,9 @@ std::vector<ByteSpan> compressed_data(ByteSpan file) {
   return pieces;
 }
 
-/// libspng stops at the last pixel, and so misses compressed data that go on, that end early, or
-/// that have another Adler-32. This inflates them once more, to at most so many bytes, and returns
-/// what is wrong with them as an error of libspng. ByteSpan behind their end are ignored, as
-/// decoders do.
+/// Inflates the data once more, to at most `most` bytes, and returns the error as a code of
+/// libspng. libspng stops at the last pixel, so that it overlooks data that go on, end early, or
+/// have another Adler-32. Bytes after their end are ignored, as by other decoders.
 int end_error(const std::vector<ByteSpan>& pieces, std::uint64_t most) {
   const auto state = std::make_unique<inflate_state>();
   const auto dropped = std::make_unique<std::array<std::uint8_t, 1 << 16>>();
@@ -114,7 +114,8 @@ class Decoder {
   int width() const { return static_cast<int>(header_.width); }
   int height() const { return static_cast<int>(header_.height); }
 
-  /// Whether anything can be transparent: by a channel, or as a colour or palette entries that are.
+  /// Returns whether anything can be transparent, by an alpha channel or by transparent colours or
+  /// palette entries.
   bool has_alpha() {
     spng_trns transparency{};
     const int code = spng_get_trns(context_.get(), &transparency);
@@ -123,14 +124,15 @@ class Decoder {
            header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
   }
 
-  /// Fills the pixels, and reads the file to its end.
+  /// Decodes the pixels, and reads the file to its end.
   template <typename Sample>
   void decode(std::vector<Sample>& pixels, spng_format format) {
     check(spng_decode_image(context_.get(), pixels.data(), pixels.size() * sizeof(Sample), format,
                             SPNG_DECODE_TRNS));
     check(spng_decode_chunks(context_.get()));
-    // A pixel has at most 8 bytes, a row one for its filter; of the seven passes of an interlaced
-    // image, each with rows of its own, 16 bytes a row are more than enough for these.
+    // A pixel has at most 8 bytes, and a row has one byte for its filter. In an interlaced image
+    // each of the seven passes has its own rows, for whose filters 16 bytes per row are more than
+    // enough.
     const std::uint64_t most = (std::uint64_t{8} * header_.width + 16) * header_.height;
     check(end_error(compressed_data(file_), most));
   }
@@ -141,8 +143,8 @@ class Decoder {
     if (code != SPNG_OK) throw system::FileError(what_, explanation(code));
   }
 
-  /// Refuses a size that the file is too short for: the pixels' memory is taken before libspng
-  /// finds that out, and a few bytes could ask for gigabytes.
+  /// Rejects a size for which the file is too short. libspng would find that only after the pixels'
+  /// memory is allocated, and a few bytes could request gigabytes.
   void check_size() const {
     constexpr std::size_t most_from_a_byte =
         1032;  // deflate: 258 bytes of 2 bits (RFC 1951, 3.2.5)
@@ -157,12 +159,12 @@ class Decoder {
 
   ByteSpan file_;
   std::string what_;
-  // The Adler-32 of the data is asked for when they are inflated to their end.
+  // end_error() verifies the Adler-32 of the data.
   std::unique_ptr<spng_ctx, Free> context_{spng_ctx_new(SPNG_CTX_IGNORE_ADLER32)};
   spng_ihdr header_{};
 };
 
-/// RGB of RGBA.
+/// Converts RGBA to RGB.
 void drop_alpha(DeepImage& image) {
   const std::size_t count = image.pixels.size() / 4;
   for (std::size_t pixel = 0; pixel < count; ++pixel) {
@@ -187,7 +189,7 @@ DeepImage decode_16_bits(Decoder& decoder) {
   return image;
 }
 
-/// libspng widens as well, but more slowly: the reading as a whole takes half as long again.
+/// libspng can widen as well, but then reading as a whole takes half as long again.
 DeepImage widened(const Image& image) {
   DeepImage wide(image.width, image.height, image.channels);
   std::ranges::transform(image.pixels, wide.pixels.begin(), [](std::uint8_t sample) {

@@ -15,16 +15,17 @@ namespace {
 constexpr int level = 1;
 constexpr std::size_t level_memory = ISAL_DEF_LVL1_DEFAULT;
 
-/// Rows per band. Half as many make files a percent larger; twice as many are less often static.
+/// Rows per band. With half as many, files are a percent larger; with twice as many, fewer are
+/// static.
 constexpr int band_height = 32;
 
 constexpr std::array<std::uint8_t, 2> header{0x78, 0x01};  // RFC 1950, 2.2: deflate, 32 kB, fastest
 constexpr std::array<std::uint8_t, 2> last_block{0x03, 0x00};  // RFC 1951, 3.2.6: empty
 
-/// Bytes at the start of a band that are stored, not compressed, and then given to igzip as its
-/// dictionary. Without a history igzip (2.30, 2.31) enters one hash that it computes from the
-/// address of its stream, not from the data: one picture in some thousands would be other bytes,
-/// from thread to thread and from run to run.
+/// Bytes at the start of a band that are stored without compression and then given to igzip as its
+/// dictionary. Without a history, igzip (2.30, 2.31) enters one hash that it computes from the
+/// address of its stream instead of the data: one picture in some thousands would have different
+/// bytes in another thread or another run.
 constexpr std::size_t stored_size = 16;
 
 /// The largest size of a compressed band: incompressible data is stored in blocks of at most 65535
@@ -33,7 +34,7 @@ std::size_t most_compressed(std::size_t size) {
   return size + 5 * (size / 65535 + 3) + ISAL_DEF_MAX_HDR_SIZE;
 }
 
-/// A block of bytes as they are, which are at most 65535 (RFC 1951, 3.2.4).
+/// Stores bytes, at most 65535, as a block without compression (RFC 1951, 3.2.4).
 std::size_t store(std::span<const std::uint8_t> bytes, std::uint8_t* block) {
   const auto size = static_cast<unsigned>(bytes.size());
   *block++ = 0;
@@ -46,7 +47,7 @@ std::size_t store(std::span<const std::uint8_t> bytes, std::uint8_t* block) {
 }
 
 /// Compresses the bands of a picture one by one. A band stays in the cache from the filter to the
-/// checksum, which a whole picture would not.
+/// checksum; a whole picture would not.
 class BandCompressor {
  public:
   explicit BandCompressor(const Image& image)

@@ -25,7 +25,7 @@ struct CompressedBand {
 /// is compressed once. Thread-safe.
 class StaticBands {
  public:
-  /// Returns the band that begins at that row; on the first request, `compress` makes it, and may
+  /// Returns the band that begins at that row. On the first request, `compress` makes it, and may
   /// throw.
   const CompressedBand& get(int first_row, const std::function<CompressedBand()>& compress);
 
@@ -47,8 +47,8 @@ struct StaticPart {
 };
 
 /// Returns the zlib stream (RFC 1950) of an image's filtered rows, compressed by ISA-L's igzip. The
-/// rows are always cut into the same bands, so that the bytes are the same with and without `still`
-/// (which may be null).
+/// rows are always cut into the same bands, so that the bytes are the same with and without
+/// `background` (which may be null).
 std::vector<std::uint8_t> compress_rows(const Image& image, const StaticPart* background);
 
 }  // namespace twrench::image

@@ -9,8 +9,8 @@
 
 namespace twrench::image {
 
-/// The least and the greatest values around the samples of a row: within `radius` pixels across and
-/// down, of the same channel. Beyond the sides of the image there is nothing.
+/// The least and the greatest value around each sample of a row: of the same channel, within
+/// `radius` pixels across and down, inside the image.
 template <typename Sample>
 class RowRange {
  public:
@@ -47,8 +47,8 @@ class RowRange {
   const Sample* high() const { return high_.data(); }
 
  private:
-  /// Takes the range of each sample into another one. Its arguments are no members: a byte that is
-  /// written could be one of a member's, which would then be read anew for each sample.
+  /// Extends the range of each sample by another range. The arguments are not members: a written
+  /// byte could be part of a member, which would then be read again for each sample.
   void widen(const Sample* lows, const Sample* highs, Sample* low, Sample* high) const {
     const std::size_t samples = samples_;
     for (std::size_t i = 0; i < samples; ++i) low[i] = std::min(low[i], lows[i]);
@@ -57,7 +57,8 @@ class RowRange {
 
   std::size_t margin() const { return static_cast<std::size_t>(radius_ * image_.channels); }
 
-  /// The outermost pixels are in every range that reaches beyond them, and change nothing there.
+  /// The outermost pixels are in every range that reaches beyond them, so that repeating them
+  /// changes no range.
   void repeat_ends(std::vector<Sample>& padded) const {
     const auto channels = static_cast<std::size_t>(image_.channels);
     for (std::size_t i = margin(); i-- > 0;) padded[i] = padded[i + channels];
@@ -68,13 +69,13 @@ class RowRange {
 
   const BasicImage<Sample>& image_;
   const int radius_;
-  const std::size_t samples_;  ///< Of a row.
+  const std::size_t samples_;  ///< Number in a row.
   std::vector<Sample> low_, high_;
-  std::vector<Sample> column_low_, column_high_;  ///< With a margin at either end.
+  std::vector<Sample> column_low_, column_high_;  ///< With a margin at each end.
 };
 
-/// The differences of the samples of two images of one size, row by row, with the tolerance for
-/// edges that compare() describes.
+/// The differences of the samples of two images of the same size, row by row, with the tolerance
+/// for edges that compare() describes.
 template <typename Sample>
 class SampleDifferences {
  public:
@@ -86,7 +87,7 @@ class SampleDifferences {
         range_of_b_(b, edges),
         row_(a.row_bytes() / sizeof(Sample)) {}
 
-  /// Returns those of a row, valid until the next call; nothing if all are zero.
+  /// Returns the differences in a row, valid until the next call; nothing if all are zero.
   std::span<const Sample> row(int y) {
     const std::size_t samples = row_.size();
     const Sample* const a = &a_.pixels[static_cast<std::size_t>(y) * samples];
@@ -105,7 +106,7 @@ class SampleDifferences {
   }
 
  private:
-  /// By how much each value is outside of its range, where that is more than before.
+  /// Raises each value of `row` to the distance of `value` from its range, if that is larger.
   void add_distances(const Sample* value, const Sample* low, const Sample* high,
                      Sample* row) const {
     const std::size_t samples = row_.size();

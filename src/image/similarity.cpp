@@ -17,7 +17,7 @@ namespace {
 
 constexpr double samples_of_window = similarity_window * similarity_window;
 
-/// Holds every sum over a window exactly, and its square.
+/// A type that represents every sum over a window, and its square, exactly.
 template <typename Sample>
 using Sum = std::conditional_t<sizeof(Sample) == 1, std::int32_t, double>;
 
@@ -45,7 +45,7 @@ Area changed_area(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
   return {pixel(left), top, pixel(right - 1) + 1 - pixel(left), bottom - top};
 }
 
-/// The windows, by their first pixels, that have a pixel of the area.
+/// The windows, given by their first pixels, that contain a pixel of the area.
 Area windows_over(const Area& area, int width, int height) {
   constexpr int around = similarity_window - 1;
   return common({area.x - around, area.y - around, area.width + around, area.height + around},
@@ -53,7 +53,8 @@ Area windows_over(const Area& area, int width, int height) {
 }
 
 /// Sums over the windows whose first pixels are in one row, which moves down the images. The sums
-/// of a window's columns are kept: a row costs the same whatever the size of a window.
+/// of a window's columns are kept, so that the cost of a row does not depend on the size of a
+/// window.
 template <typename Sample>
 class WindowRow {
  public:
@@ -71,11 +72,11 @@ class WindowRow {
     for (int y = 0; y < similarity_window - 1; ++y) add<1>(windows.y + y);
   }
 
-  /// Adds the similarity of each window in row `y` to `totals`. The rows are asked for in order.
+  /// Adds the similarity of each window in row `y` to `totals`. Rows must be requested in order.
   void add_similarities(int y, std::vector<double>& totals) {
     add<1>(y + similarity_window - 1);
     constexpr double range = std::numeric_limits<Sample>::max(), n = samples_of_window;
-    // Those of the paper times what the sums have not been divided by.
+    // The paper's constants, times the factor by which the sums have not been divided.
     constexpr double c1 = (0.01 * range) * (0.01 * range) * n * n;
     constexpr double c2 = (0.03 * range) * (0.03 * range) * n * (n - 1);
     for (std::size_t i = 0; i < windows_; ++i) {
@@ -114,13 +115,12 @@ class WindowRow {
   const BasicImage<Sample>& a_;
   const BasicImage<Sample>& b_;
   const std::size_t channels_;
-  const std::size_t first_;  ///< Sample of a row.
+  const std::size_t first_;  ///< Index of a sample in its row.
   const std::size_t windows_, columns_;
   std::vector<Sum<Sample>> mean_a_, mean_b_, squares_, products_;
 };
 
-/// Where the images are equal, the similarity is 1: only windows that see a difference are
-/// computed.
+/// Computes only windows in which the images differ, because the similarity of all others is 1.
 template <typename Sample>
 double similarity_of(const BasicImage<Sample>& a, const BasicImage<Sample>& b) {
   if (std::min(a.width, a.height) < similarity_window) {

@@ -1,6 +1,6 @@
 #include "image/stb.h"
 
-// Static: the settings of stb_image_write, which are variables, are then this file's alone.
+// Static, so that the settings of stb_image_write, which are variables, belong to this file alone.
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -8,8 +8,8 @@
 
 namespace twrench::image::stb {
 
-// The one step of stb_image_write that is wanted, by the name that it has inside: the public
-// functions take it only together with their own compressor and checksums.
+// The only step of stb_image_write that is needed, by its internal name: the public functions run
+// it only together with their own compressor and checksums.
 void filter_row(std::span<const std::uint8_t> row, int channels, std::span<std::uint8_t> filtered) {
   constexpr int sub = 1, rows = 1, first = 0;
   const int size = static_cast<int>(row.size());

@@ -39,8 +39,8 @@ void Yuv420::update_chroma(const Image& image, const Area& area) {
   const int width = half(width_);
   std::uint8_t* const blue = &bytes_[index(height_, width_, 0)];
   std::uint8_t* const red = blue + index(half(height_), width, 0);
-  // A chroma sample on column 2c takes half of its own column and a quarter of each neighbour:
-  // column x affects the samples x/2 and (x+1)/2. Beyond the edges, the edge column is repeated.
+  // A chroma sample on column 2c is half of that column and a quarter of each neighbour: column x
+  // affects the samples x/2 and (x+1)/2. Beyond the edges, the edge column is repeated.
   const int first = area.x / 2;
   const int count = std::min((area.x + area.width) / 2, width - 1) - first + 1;
   const int left = std::max(2 * first - 1, 0);

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/interior.h"
+
 namespace twrench::interchange {
 namespace {
 
-/// The decimals of the times: those of a nanosecond, or as many as resolve a thousandth of the mean
-/// interval between rows. An epoch can have up to 18.
+/// The number of decimals of the times: 9 for nanoseconds, or as many as resolve a thousandth of
+/// the mean interval between rows. An epoch can have up to 18.
 int decimals(double duration, std::size_t count) {
   constexpr int least = 9, most = 18;
   if (count < 2) return least;
@@ -20,15 +22,16 @@ int decimals(double duration, std::size_t count) {
       std::clamp(3 - std::floor(std::log10(interval)), double{least}, double{most}));
 }
 
-/// The name in the characters that a message may have.
+/// Replaces the characters of a name that a message does not allow.
 std::string in_ascii(std::string name) {
   std::ranges::replace_if(
       name, [](char c) { return c < ' ' || c > '~'; }, '_');
   return name;
 }
 
-// Comments may stand at the start of the header, of the metadata and of the data only. The date of
-// creation is obligatory, but would make other bytes of the same motion each time.
+// Comments are allowed only at the start of the header, of the metadata and of the data. The
+// creation date is obligatory, but the real one would give the same motion different bytes each
+// time.
 constexpr const char* head =
     "CCSDS_AEM_VERS = 1.0\n"
     "COMMENT Written by {generator}: the free rotation of a rigid body, in closed form.\n"
@@ -69,8 +72,8 @@ constexpr const char* head =
 void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& generator,
                std::size_t count, const std::function<double(std::size_t)>& time,
                const std::function<void(std::string_view)>& write) {
-  const motion::ExactMotion motion(
-      motion::FreeBody(scene::mass_properties(scene.body).inertia, scene.motion.omega));
+  scene::require_rigid(scene, "an attitude ephemeris");
+  const motion::ExactMotion motion(scene::free_body(scene));
   const double end = time(count - 1);
   const int digits = decimals(end - time(0), count);
   const double in_a_second = std::pow(10.0, digits);

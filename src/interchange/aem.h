@@ -14,9 +14,9 @@ namespace twrench::interchange {
 /// s after the epoch and ascending, to the nanosecond, or to a thousandth of the mean interval if
 /// that is finer. `generator` is the program's name and version.
 ///
-/// A row has the unit quaternion of X, space_from_body, scalar last. It turns the axes of the space
-/// frame, REF_FRAME_A, into those of the body, REF_FRAME_B (A2B). Consecutive ones have a positive
-/// dot product.
+/// A row has the unit quaternion of X, space_from_body, with the scalar last. It turns the axes of
+/// the space frame, REF_FRAME_A, into those of the body, REF_FRAME_B (A2B). Consecutive quaternions
+/// have a positive dot product.
 ///
 /// Throws InvalidArgument about "epoch" if the motion lasts beyond the year 9999.
 void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& generator,

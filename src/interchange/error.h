@@ -4,7 +4,7 @@
 
 namespace twrench::interchange {
 
-/// A format's numbers cannot hold the motion as accurately as was asked for.
+/// A format's numbers cannot represent the motion as accurately as requested.
 class AccuracyError : public Error {
  public:
   using Error::Error;

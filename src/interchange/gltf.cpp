@@ -13,7 +13,7 @@ constexpr int component_float = 5126, component_unsigned_int = 5125;
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A,
                         binary_chunk = 0x004E4942;
 
-/// Appends the bytes of a number, least first, as glTF has them on every machine.
+/// Appends the bytes of a number, least significant first, as glTF requires on every machine.
 void append(std::string& bytes, std::uint32_t number) {
   for (int shift = 0; shift < 32; shift += 8) {
     bytes += static_cast<char>(static_cast<unsigned char>(number >> shift));

@@ -15,24 +15,23 @@ class Gltf {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// What numbers are for.
+  /// The use of an array of numbers.
   enum class Use { vertices, keys };
 
-  /// An empty document, by the program `generator`.
+  /// Creates an empty document, written by the program `generator`.
   explicit Gltf(const std::string& generator);
 
   /// Appends an object to the document's array of that name; returns its index.
   std::size_t add(const std::string& array, Json object);
 
-  /// Adds an accessor to float32 numbers, `components` (1, 3 or 4) to an element, and them to the
-  /// buffer; returns its index.
+  /// Adds float32 numbers to the buffer and an accessor to them, with `components` (1, 3 or 4) per
+  /// element; returns its index.
   std::size_t add_floats(std::span<const float> numbers, std::size_t components, Use use);
 
   /// Adds an accessor to the indices of triangles; returns its index.
   std::size_t add_indices(std::span<const std::uint32_t> indices);
 
-  /// Writes the document as a binary file (.glb) in pieces. It is the same, byte for byte, for the
-  /// same document.
+  /// Writes the document as a binary file (.glb) in pieces. Equal documents give equal bytes.
   void write_glb(const std::function<void(std::string_view)>& write) const;
 
  private:

@@ -16,6 +16,7 @@
 #include "picture/look/emphasis.h"
 #include "picture/look/material.h"
 #include "picture/overlay/body_overlay.h"
+#include "scene/interior.h"
 #include "timeline/reference_frame.h"
 
 namespace twrench::interchange {
@@ -35,7 +36,7 @@ std::vector<double> linear(const Color& color, double factor = 1) {
   return {channel(color.red), channel(color.green), channel(color.blue)};
 }
 
-/// The scene with what the document has, for its camera to have that in view.
+/// The scene with all arrows of the document, so that they are in the view of its camera.
 scene::Scene with_all_arrows(scene::Scene scene) {
   using enum scene::Feature;
   scene.overlay.show.insert({axes, momentum, omega});
@@ -52,7 +53,7 @@ class SceneWriter {
         gltf_(generator),
         style_(picture::style_of(scene.look.theme)),
         colors_(picture::emphasised(style_.overlay, scene.overlay)),
-        body_(scene::mass_properties(scene.body).inertia, scene.motion.omega),
+        body_(scene::free_body(scene)),
         played_(body_, options.speed),
         radius_(picture::bounding_radius(scene::visible_parts(scene.body))),
         overlay_(with_all_arrows(scene), body_, radius_) {}
@@ -94,7 +95,7 @@ class SceneWriter {
   double radius_;  ///< Bounding radius of the body in cm.
   picture::BodyOverlay overlay_;
   std::vector<std::size_t> nodes_;                            ///< The roots.
-  std::vector<std::pair<Json, std::size_t>> part_materials_;  ///< And their indices.
+  std::vector<std::pair<Json, std::size_t>> part_materials_;  ///< With their indices.
   Json animation_{
       {"name", "free rotation"}, {"samplers", Json::array()}, {"channels", Json::array()}};
 };
@@ -112,8 +113,8 @@ std::size_t SceneWriter::add_mesh(const std::string& name, const Surface& surfac
   return gltf_.add("meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
 }
 
-/// Returns the material of a part, which those that look the same share. What colours the vertices
-/// have multiplies that of their material, which is then white.
+/// Returns the material of a part; parts that look the same share it. The colours of vertices are
+/// multiplied by that of their material, which is then white.
 std::size_t SceneWriter::material_of(std::size_t part, bool is_colored) {
   const scene::Look& look = scene_.look;
   const scene::PartLook own = scene::description(scene_.body, part).look;
@@ -136,7 +137,7 @@ std::size_t SceneWriter::material_of(std::size_t part, bool is_colored) {
 /// An arrow keeps most of its colour in the shade, as in the film, and without any light.
 std::size_t SceneWriter::add_arrow_mesh(const std::string& name, double length, double shaft,
                                         const Color& color) {
-  constexpr double in_shade = 0.72;  // as DrawList has it
+  constexpr double in_shade = 0.72;  // as in DrawList
   const std::vector<double> dark = linear(color, in_shade), full = linear(color);
   std::vector<double> base;
   for (std::size_t i = 0; i < 3; ++i) base.push_back(full[i] - dark[i]);
@@ -157,8 +158,8 @@ void SceneWriter::add_channel(std::size_t node, const char* path, std::size_t ti
       {{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
 }
 
-/// Adds the parts and the axes, which turn with the body as its children, as does a camera in its
-/// frame.
+/// Adds the body with its children, which turn with it: the parts, the axes, and the camera if that
+/// is in the frame of the body.
 void SceneWriter::add_body(std::size_t camera) {
   constexpr double finest = 3e-4;  // of the radius: a seventh of a pixel in a picture 1080 high
   const std::vector<body::Part> parts = picture::close_gaps(scene::visible_parts(scene_.body));
@@ -220,7 +221,7 @@ std::size_t SceneWriter::add_turntable(const char* name, std::size_t child, cons
   return node;
 }
 
-/// Returns where the tips of the arrows get in the frame in which the camera stands, in cm.
+/// Returns the positions of the arrows' tips over time in the frame of the camera, in cm.
 std::vector<Vector3d> SceneWriter::extent_in_frame() const {
   constexpr int samples = 500;
   const scene::Frame frame = scene_.camera.frame;
@@ -233,8 +234,8 @@ std::vector<Vector3d> SceneWriter::extent_in_frame() const {
   return points;
 }
 
-/// A camera of glTF looks along the middle of its picture: where the film's does not, this one is
-/// turned until it does.
+/// A camera of glTF looks along the middle of its picture. If the film's camera does not, that of
+/// glTF is turned to look at the middle of the film's picture.
 std::size_t SceneWriter::add_camera() {
   const double aspect = static_cast<double>(scene_.film.width) / scene_.film.height;
   const picture::Framing framing =
@@ -269,6 +270,7 @@ std::size_t SceneWriter::add_camera() {
 
 Gltf gltf_scene(const scene::Scene& scene, const AnimationOptions& options,
                 const std::string& generator) {
+  scene::require_rigid(scene, "a glTF model");
   return SceneWriter(scene, options, generator).finish();
 }
 

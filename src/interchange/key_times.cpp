@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t most_keys = 5'000'000;
 
-/// The four components of a key are off by at most 2^-25 each, and its angle by twice the length of
-/// that, 1.2e-7 rad; a player that computes in float32 adds some such.
+/// Each of the four components of a key is off by at most 2^-25, and its angle by at most twice the
+/// length of that error, 1.2e-7 rad. A player that computes in float32 adds a few such errors.
 constexpr double rounding = 5e-7;
 
 constexpr double longest_turn = 1;  // rad between two keys, within which the bounds below hold
@@ -22,10 +22,10 @@ constexpr double longest_turn = 1;  // rad between two keys, within which the bo
 /// Returns a bound for the angle in rad between a path and its interpolation over an interval of
 /// `length` s.
 ///
-/// The distance r between two paths with the same ends on a space of curvature at most 1, of which
-/// one is a geodesic and none is faster than v, has r'' + v^2 r >= -a: at most it is
-/// (sec(vh/2) - 1) a/v^2, and that is at most the first term. Normalised linear interpolation runs
-/// along the same geodesic, ahead of or behind the spherical one by at most the second.
+/// Let two paths have the same ends on a space of curvature at most 1. One is a geodesic, and
+/// neither is faster than v. Their distance r satisfies r'' + v^2 r >= -a, so it is at most
+/// (sec(vh/2) - 1) a/v^2, which is at most the first term. Normalised linear interpolation runs
+/// along the same geodesic, ahead of or behind the spherical one by at most the second term.
 double interpolation_error(const RateBounds& rates, double length) {
   const double turn = rates.velocity * length;
   return rates.acceleration * length * length / 8 * (1 + turn * turn / 8) +
@@ -63,8 +63,8 @@ void require_representable(float from, float to, double length, double max_angle
 
 }  // namespace
 
-// From the end to the start, because float32 times are coarsest at the end: where the bound cannot
-// hold, that is found at once.
+// Goes from the end to the start, because float32 times are coarsest at the end: if the bound
+// cannot be kept there, this is found at once.
 std::vector<float> key_times(double end, double max_angle,
                              const std::function<RateBounds(double begin, double end)>& bounds) {
   if (!(max_angle >= least_max_angle)) {

@@ -7,13 +7,13 @@
 
 namespace twrench::interchange {
 
-/// The least angle in rad to which key_times() can keep: keys are float32 numbers.
+/// The least angle in rad that key_times() can guarantee, because keys are float32 numbers.
 inline constexpr double least_max_angle = 1e-6;
 
-/// Returns the times in s, ascending from 0 to the float32 number nearest to `end`, at which an
-/// attitude or a direction needs keys, so that what is interpolated between them is nowhere further
-/// than `max_angle` (rad) from it. All are float32 numbers exactly: a key is to be computed for the
-/// time that is written, so that nothing is lost by rounding it.
+/// Returns the times in s at which an attitude or a direction needs keys, so that the interpolation
+/// between them is nowhere further than `max_angle` (rad) from it. The times ascend from 0 to the
+/// float32 number nearest to `end`. All are exactly float32 numbers: compute each key for the time
+/// that is written, so that rounding the time adds no error.
 ///
 /// The bound holds for spherical linear interpolation, as glTF defines LINEAR, and for normalised
 /// linear interpolation, which several programs use instead. It includes the rounding of the keys

@@ -20,9 +20,9 @@ Vector3d coupling(const Vector3d& moments) {
 }
 
 /// Returns bounds for the magnitudes of omega's components in principal axes at any time, given
-/// those at one time. With the energy T and the momentum L, every sum of I_i (I_i - J) omega_i^2 =
-/// L^2 - 2 T J is constant: for J = 0 and, with terms of one sign only, for the least and the
-/// greatest moment. So is the sum of I_i omega_i^2.
+/// those at one time. With the energy T and the momentum L, the sum of I_i (I_i - J) omega_i^2 =
+/// L^2 - 2 T J is constant for every J. It bounds the components if its terms have one sign only:
+/// for J = 0, and for the least and the greatest moment. The sum of I_i omega_i^2 is constant too.
 Vector3d component_bounds(const Eigen::Array3d& moments, const Vector3d& omega) {
   const Eigen::Array3d squares = omega.array().square();
   Eigen::Array3d bounds = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
@@ -56,7 +56,7 @@ PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed)
   curvatures_ = {d2.norm(), d3.norm(), d4.norm()};
 }
 
-/// A vector function is, between two samples, no longer than at the longer of them, but for
+/// Between two samples, the length of a vector function exceeds that of the longer one by at most
 /// gap^2/8 times the bound of its second derivative.
 PlayedMotion::Peaks PlayedMotion::peaks(double begin, double end) const {
   constexpr int gaps = 8;

@@ -6,10 +6,10 @@
 
 namespace twrench::interchange {
 
-/// Upper bounds, within an interval of time, for an attitude or a direction that turns.
+/// Upper bounds, within an interval of time, for a turning attitude or direction.
 struct RateBounds {
-  double velocity = 0;      ///< Of its angular velocity, in rad/s.
-  double acceleration = 0;  ///< Of its covariant (geodesic) acceleration, in rad/s^2.
+  double velocity = 0;      ///< Angular velocity in rad/s.
+  double acceleration = 0;  ///< Covariant (geodesic) acceleration in rad/s^2.
 };
 
 /// The exact motion at the speed at which an animation plays it. Times are those of the animation,
@@ -25,9 +25,9 @@ class PlayedMotion {
   /// Returns bounds for the attitude from `begin` to `end`.
   RateBounds attitude_rates(double begin, double end) const;
 
-  /// Returns bounds for the direction of omega in space from `begin` to `end`. The second
-  /// derivative of |omega|, relative to |omega|, is within the bound for the acceleration too. Zero
-  /// for a body at rest.
+  /// Returns bounds for the direction of omega in space from `begin` to `end`. The bound for the
+  /// acceleration also covers the second derivative of |omega|, relative to |omega|. Zero for a
+  /// body at rest.
   RateBounds omega_rates(double begin, double end) const;
 
  private:
@@ -42,7 +42,7 @@ class PlayedMotion {
   Eigen::Matrix3d principal_from_body_;
   Eigen::Vector3d coupling_;  ///< c of Euler's equations: omega_x' = c_x omega_y omega_z.
   double least_rate_;         ///< Lower bound for |omega|, in rad/s.
-  Peaks curvatures_;          ///< Bounds of the second derivatives of the three.
+  Peaks curvatures_;          ///< Bounds of the second derivatives of these three.
 };
 
 }  // namespace twrench::interchange

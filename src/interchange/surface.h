@@ -11,7 +11,7 @@ namespace twrench::interchange {
 /// triangles counter-clockwise as seen from outside.
 struct Surface {
   std::vector<float> positions;
-  std::vector<float> normals;  ///< Of unit length, outward.
+  std::vector<float> normals;  ///< Unit length, outward.
   std::vector<float> colors;   ///< Linear red, green and blue; empty without colours.
   std::vector<std::uint32_t> indices;
 };

@@ -30,8 +30,8 @@ Track attitude_track(const PlayedMotion& motion, double end, double max_angle) {
   return track;
 }
 
-/// From key to key the arrow turns by the shortest way, so that between them it stays on the great
-/// circle through both.
+/// Between two keys the arrow turns by the shortest way, so that it stays on the great circle
+/// through both.
 Track omega_track(const PlayedMotion& motion, double end, double max_angle) {
   Track track;
   track.times = key_times(end, max_angle,

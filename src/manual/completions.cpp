@@ -39,12 +39,12 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
-/// In single quotes, as the three shells read it.
+/// Quotes text for all three shells.
 std::string quoted(const std::string& text) {
   return fmt::format("'{}'", replaced(text, "'", "'\\''"));
 }
 
-/// The call of a function below that completes a value.
+/// The call of the function, defined in the script, that completes a value.
 std::string bash_call(const Candidates& candidates) {
   switch (candidates.kind) {
     case Kind::none:
@@ -75,8 +75,8 @@ std::string bash_cases(const Command& command) {
   return text;
 }
 
-/// A pattern for names with one of the endings. A single one in parentheses would be glob
-/// qualifiers.
+/// A pattern for names with one of the endings. A single ending in parentheses would be parsed as
+/// glob qualifiers.
 std::string zsh_pattern(const std::vector<std::string>& endings) {
   if (endings.size() == 1) return "\\*." + endings[0];
   return fmt::format("\\*.\\({}\\)", fmt::join(endings, "\\|"));
@@ -101,7 +101,7 @@ std::string zsh_action(const Candidates& candidates) {
   return {};
 }
 
-/// Escapes what _arguments takes for the end of a description or of a message.
+/// Escapes the characters that end a description or a message of _arguments.
 std::string zsh_text(const std::string& text) {
   return replaced(replaced(replaced(text, "[", "\\["), "]", "\\]"), ":", "\\:");
 }
@@ -122,7 +122,7 @@ std::string zsh_option(const Option& option) {
   return text;
 }
 
-/// All in one list: of several, fish takes the last.
+/// Uses a single list, because fish keeps only the last of several.
 std::string fish_scenes(const Candidates& candidates) {
   std::string files;
   for (const auto& end : candidates.endings) files += "(__fish_complete_suffix ." + end + ") ";

@@ -1,5 +1,5 @@
 // twrench_manual FOLDER SCENE_FILE DATE: writes the manual pages and the shell completions of
-// twrench to FOLDER, from the definitions by which the program reads its command line.
+// twrench to FOLDER, from the definitions with which the program parses its command line.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>

@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/options/scene_options.h"
 #include "scene/fields.h"
+#include "scene/keys.h"
 
 namespace twrench::manual {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 using app::Command;
 using app::Option;
 
-/// Breaks long lines of filled text, which man joins again; conventions ask for short ones.
+/// Breaks long lines of filled text, which man joins again; short lines are the convention.
 std::string with_short_lines(const std::string& page) {
   constexpr std::size_t longest = 78;
   std::string result;
@@ -37,7 +39,7 @@ std::string with_short_lines(const std::string& page) {
   return result;
 }
 
-/// Escapes text for roff. A hyphen is one, as in an option, not a dash.
+/// Escapes text for roff. A hyphen stays a hyphen, as in an option, instead of a dash.
 std::string roff(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -99,7 +101,7 @@ std::string section(const std::string& title, const std::vector<Option>& options
   return text.empty() ? text : ".SH " + title + "\n" + text;
 }
 
-/// Text whose lines are kept, as in an example or a table.
+/// Text with fixed line breaks, as in an example or a table.
 std::string verbatim(std::string_view text) {
   std::string result = ".nf\n.RS 4\n";
   std::istringstream lines{std::string(text)};
@@ -108,7 +110,7 @@ std::string verbatim(std::string_view text) {
   return result + ".RE\n.fi\n";
 }
 
-/// The footer of --help: examples and lines about exit codes have sections of their own.
+/// The footer of --help, with separate sections for examples and for exit codes.
 std::string footer_sections(const std::string& footer) {
   std::string notes, examples, status;
   std::istringstream lines(footer);
@@ -130,18 +132,21 @@ std::string footer_sections(const std::string& footer) {
   return text;
 }
 
-std::string value_form(const scene::Field& field) {
-  using enum scene::Field::Kind;
-  switch (field.kind) {
+/// The form of a value in a scene file; `placeholder` represents a number or a string.
+std::string value_form(scene::ValueForm::Kind kind, const std::string& placeholder) {
+  using enum scene::ValueForm::Kind;
+  switch (kind) {
     case number:
     case integer:
-      return italic(field.placeholder);
+      return italic(placeholder);
     case vector:
       return "[" + italic("x") + ", " + italic("y") + ", " + italic("z") + "]";
+    case quaternion:
+      return "[" + italic("w") + ", " + italic("x") + ", " + italic("y") + ", " + italic("z") + "]";
     case size:
       return "[" + italic("width") + ", " + italic("height") + "]";
     case text:
-      return "\"" + italic(field.placeholder) + "\"";
+      return "\"" + italic(placeholder) + "\"";
     case texts:
       return "[\"" + italic("name") + "\", ...]";
     case vectors:
@@ -150,68 +155,42 @@ std::string value_form(const scene::Field& field) {
   return {};
 }
 
-std::string field_entry(const scene::Field& field) {
-  const auto value = field.get(scene::Scene());
-  std::string otherwise = field.otherwise;
-  // NOLINTNEXTLINE(readability-container-size-empty): empty() is false of any text in JSON
-  if (!value.is_null() && value != "") otherwise = value.dump();
-  return ".TP\n" + bold(field.key) + " = " + value_form(field) + "\n" +
-         sentence(app::help_of(field), otherwise);
+/// The default of a key: its description or, if there is none, its value.
+std::string default_text(const std::string& otherwise, const nlohmann::ordered_json& value) {
+  // NOLINTNEXTLINE(readability-container-size-empty): empty() is false for every JSON string
+  const bool has_value = !value.is_null() && value != "";
+  return has_value ? value.dump() : otherwise;
 }
 
-constexpr std::string_view about_bodies = R"(.SS [[part]]
-One table for each homogeneous solid of the body. Parts may overlap; each counts in full.
-.TP
-\fBshape\fR = "\fINAME\fR"
-The solid:
-.B cylinder
-with the keys
-.B radius
-and
-.BR length ,
-about its own z axis;
-.B box
-with
-.B size
-= [\fIx\fR, \fIy\fR, \fIz\fR];
-.B ellipsoid
-with
-.B radii
-= [\fIx\fR, \fIy\fR, \fIz\fR];
-.B sphere
-with
-.BR radius .
-Lengths are in cm.
-.TP
-\fBdensity\fR = \fID\fR
-Density, g/cm^3.
-.TP
-\fBposition\fR = [\fIx\fR, \fIy\fR, \fIz\fR]
-Position of the part's centre, cm. Default: the origin.
-.TP
-\fBaxis\fR = [\fIx\fR, \fIy\fR, \fIz\fR]
-Direction of the part's own z axis.
-.TP
-\fBrotation\fR = [\fIx\fR, \fIy\fR, \fIz\fR]
-Instead of
-.BR axis :
-the rotation of the part as axis times angle, rad.
-.SS [body]
-Instead of parts:
-.TP
-\fBmoments\fR = [\fIx\fR, \fIy\fR, \fIz\fR]
-Principal moments of inertia about the body's axes, g cm^2.
-.TP
-\fBinertia\fR = [[\fIxx\fR, \fIxy\fR, \fIxz\fR], [\fIxy\fR, \fIyy\fR, \fIyz\fR], [\fIxz\fR, \fIyz\fR, \fIzz\fR]]
-Instead of
-.BR moments :
-the inertia matrix, g cm^2. Its products of inertia are the entries of the matrix: \fIxy\fR is minus
-the integral of x y dm.
-.TP
-\fBshape\fR = "\fIname\fR"
-What the body is drawn as, along its principal axes: a homogeneous \fBbox\fR or \fBellipsoid\fR that has
-this inertia, or a \fBcross\fR of discs. Default: box.
-)";
+std::string field_entry(const scene::Field& field) {
+  return ".TP\n" + bold(field.key) + " = " + value_form(field.form.kind, field.placeholder) + "\n" +
+         sentence(app::help_of(field), default_text(field.otherwise, field.get(scene::Scene())));
+}
+
+std::string key_entries(const std::vector<scene::Key>& keys) {
+  std::string text;
+  for (const scene::Key& key : keys) {
+    const std::string names = fmt::format("{}", fmt::join(key.form.names, ", "));
+    const bool are_named = !names.empty() && !key.form.is_color;
+    const std::string form = value_form(key.form.kind, "value");
+    text += ".TP\n" + bold(key.name) + " = " + form + "\n" +
+            sentence(are_named ? key.help + ": " + names : key.help,
+                     default_text(key.otherwise, key.value));
+  }
+  return text;
+}
+
+std::string about_bodies() {
+  std::string text =
+      ".SS [[part]]\nOne table for each homogeneous solid of the body. Parts may overlap; each "
+      "counts in full.\n" +
+      key_entries(scene::part_keys());
+  for (const scene::ShapeKeys& shape : scene::shape_keys()) {
+    text += ".SS [[part]] of the shape " + roff(shape.shape) + "\n" + key_entries(shape.keys);
+  }
+  return text + ".SS [body]\nInstead of parts, with moments or inertia:\n" +
+         key_entries(scene::body_keys());
+}
 
 }  // namespace
 
@@ -220,7 +199,7 @@ std::string program_page(const Command& program, const std::vector<Command>& com
   std::string page = heading("twrench", 1, release);
   page += ".SH NAME\ntwrench \\- " + roff(as_clause(program.description)) + "\n";
   page += ".SH SYNOPSIS\n.B twrench\n" + italic("COMMAND") + "\n[" + italic("OPTIONS") + "]\n";
-  page += ".SH DESCRIPTION\nEach command has a page of its own.\n";
+  page += ".SH DESCRIPTION\nEach command has a separate page.\n";
   for (const Command& command : commands) {
     page +=
         ".TP\n.BR twrench\\-" + roff(command.name) + " (1)\n" + roff(command.description) + ".\n";
@@ -261,17 +240,23 @@ std::string scene_page(const std::string& example, const Release& release) {
       "cm, masses in g, times in s and angles in rad. All keys but the body's are optional. An "
       "unknown\n"
       "key, or a value that is not allowed, is an error that names the file, the line and the "
-      "key.\n"
+      "key.\n.BR twrench\\-schema (1)\nprints a JSON Schema. Editors complete and check scene "
+      "files "
+      "with it.\n"
       "The options of\n.BR twrench\\-render (1)\noverride the file.\n.SH TABLES\n.SS Top level\n";
   std::string table;
   for (const scene::Field& field : scene::fields()) {
     if (field.table != table) {
-      if (table.empty()) page += about_bodies;
+      if (table.empty()) page += about_bodies();
       table = field.table;
       page += ".SS [" + roff(table) + "]\n";
     }
     page += field_entry(field);
   }
+  page +=
+      ".SS [[shot]]\nOne table for each shot of a film. It may also have the "
+      "tables of the body, motion, look, camera and overlay.\n" +
+      key_entries(scene::shot_keys());
   page += ".SH EXAMPLES\nThe built\\-in scene\n.BR dzhanibekov :\n.PP\n" + verbatim(example);
   return with_short_lines(page + ".SH SEE ALSO\n.BR twrench (1),\n.BR twrench\\-render (1)\n");
 }

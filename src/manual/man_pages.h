@@ -10,7 +10,7 @@ namespace twrench::manual {
 /// The release that a page describes, for its footer.
 struct Release {
   std::string version;
-  /// As in 2026-11-22.
+  /// The date, such as 2026-11-22.
   std::string date;
 };
 

@@ -5,38 +5,37 @@
 #include <cstdint>
 #include <numbers>
 
-/// Sine, cosine and exponential function without a branch, a table or a call, so that the compiler
-/// puts a loop over them into vector registers. They consist of IEEE operations in a fixed order: a
-/// value has the same bits on every processor and in registers of whatever width. The polynomials
-/// are those of fdlibm 5.3 (Sun Microsystems, 1993: k_sin.c, k_cos.c, e_exp.c), whose errors are
-/// below 2^-58.
+/// Sine, cosine and exponential function without branches, tables or calls, so that the compiler
+/// can vectorise a loop over them. They consist of IEEE operations in a fixed order, so a value has
+/// the same bits on every processor and at any vector width. The polynomials are those of fdlibm
+/// 5.3 (Sun Microsystems, 1993: k_sin.c, k_cos.c, e_exp.c), whose errors are below 2^-58.
 namespace twrench::elementary {
 
-/// An integer, and its bits in two's complement, of which the low 51 are meaningful.
+/// An integer and its bits in two's complement. Only the low 51 bits are meaningful.
 struct Integer {
-  double value;        ///< The integer itself.
-  std::uint64_t bits;  ///< Its bits.
+  double value;
+  std::uint64_t bits;
 };
-/// The integer nearest to `x`; 0 where |x| >= 2^51.
+/// Returns the integer nearest to `x`; 0 if |x| >= 2^51.
 [[gnu::always_inline]] inline Integer nearest_integer(double x) {
   constexpr double last_digit_is_one = 0x1.8p52;
   const double shifted = (std::abs(x) < 0x1p51 ? x : 0) + last_digit_is_one;
   return {shifted - last_digit_is_one, std::bit_cast<std::uint64_t>(shifted)};
 }
 
-/// Returns `x`, with its sign changed if the integer with those bits is odd.
+/// Returns `x`, negated if the integer with these bits is odd.
 [[gnu::always_inline]] inline double negated_if_odd(double x, std::uint64_t bits) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (bits << 63U));
 }
 
 /// The sine and the cosine of one angle.
 struct SineCosine {
-  double sin;  ///< Its sine.
-  double cos;  ///< Its cosine.
+  double sin;
+  double cos;
 };
-/// The sine and cosine of the angle of `w` quarter turns, pi w/2. Whole quarter turns are
-/// subtracted exactly, so that the error is that of two roundings at any w. From |w| = 2^51, where
-/// no digit of the fraction is left, those of the angle 0.
+/// Returns the sine and cosine of the angle of `w` quarter turns, pi w/2. Whole quarter turns are
+/// subtracted exactly, so that the error is that of two roundings at any w. From |w| = 2^51 on,
+/// where w has no fraction digits, returns those of the angle 0.
 [[gnu::always_inline]] inline SineCosine sincos_quarter_turns(double w) {
   const auto [whole, bits] = nearest_integer(w);
   const double x = (std::abs(w) < 0x1p51 ? w - whole : 0) * (std::numbers::pi / 2), z = x * x;
@@ -56,14 +55,15 @@ struct SineCosine {
                  z * (2.48015872894767294178e-05 +
                       z * (-2.75573143513906633035e-07 +
                            z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))))));
-  // After an odd number of quarter turns the two change places: all bits that differ are exchanged.
+  // After an odd number of quarter turns, sine and cosine are swapped by exchanging all bits that
+  // differ.
   const auto sine = std::bit_cast<std::uint64_t>(s), cosine = std::bit_cast<std::uint64_t>(c);
   const std::uint64_t exchanged = (sine ^ cosine) & (0 - (bits & 1U));
   return {negated_if_odd(std::bit_cast<double>(sine ^ exchanged), bits >> 1U),
           negated_if_odd(std::bit_cast<double>(cosine ^ exchanged), (bits + 1) >> 1U)};
 }
 
-/// exp(-x) for x >= 0; above x = 690 it remains 2e-300.
+/// Returns exp(-x) for x >= 0; the constant 2e-300 for x above 690.
 [[gnu::always_inline]] inline double exp_minus(double x) {
   const double a = x < 690 ? -x : -690;
   const auto [power, bits] = nearest_integer(a * std::numbers::log2e);

@@ -1,4 +1,4 @@
-#include <twrench/math/elliptic.h>
+#include "math/elliptic.h"
 
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
@@ -13,8 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// theta_k(0, q), eq. (E10); for theta_2 without its factor q^(1/4), which cancels wherever it is
-/// used. q <= 0.124.
+/// theta_k(0, q), eq. (E10); theta_2 omits its factor q^(1/4), which cancels wherever it is used. q
+/// <= 0.124.
 struct ThetaConstants {
   double theta2, theta3, theta4;
 };
@@ -35,15 +35,15 @@ double incomplete_first(double s, double c, double mc) {
   return s * boost::math::ellint_rf(c * c, delta2, 1.0);
 }
 
-Jacobi::Jacobi(double m, double mc, double a_prime) : K_(complete_first(mc)) {
+Jacobi::Jacobi(double m, double mc, double eta_prime) : K_(complete_first(mc)) {
   const double Kc = complete_first(m);
   // The first omitted term is then below 1e-16 on either side: q <= exp(-2 pi/3) = 0.123, or q' <=
   // exp(-3 pi/2) = 0.009, whose square root governs the hyperbolic series.
   hyperbolic_ = 3 * Kc < 2 * K_;
   if (hyperbolic_) {
-    expand_in_complementary_nome(Kc, a_prime);
+    expand_in_complementary_nome(Kc, eta_prime);
   } else {
-    expand_in_nome(Kc, a_prime);
+    expand_in_nome(Kc, eta_prime);
   }
 }
 
@@ -51,7 +51,7 @@ Jacobi::Values Jacobi::at(double u) const {
   return hyperbolic_ ? JacobiSeries::hyperbolic(*this, u) : JacobiSeries::circular(*this, u);
 }
 
-void Jacobi::expand_in_nome(double Kc, double a_prime) {
+void Jacobi::expand_in_nome(double Kc, double eta_prime) {
   const double q = std::exp(-pi * Kc / K_);
   const auto [theta2, theta3, theta4] = theta_constants(q);
   sn_scale_ = 2 * theta3 / theta2;
@@ -67,8 +67,9 @@ void Jacobi::expand_in_nome(double Kc, double a_prime) {
   circular_.even12 = {1 - q2 - q6 + q12, 4 * (q6 - q12)};
   circular_.odd12 = {2 * (q6 - q2) + 4 * q12, -8 * q12};
 
-  // e^(2 alpha) = p/q and e^(-2 alpha) for alpha = pi a/2K. Unlike alpha, p has a limit as q -> 0.
-  const double p = std::exp(-pi * a_prime / K_), inverse = q > 0 ? q / p : 0;
+  // e^(2 alpha) = p/q and e^(-2 alpha) for alpha = pi eta/2K. Unlike alpha, p has a limit as q ->
+  // 0.
+  const double p = std::exp(-pi * eta_prime / K_), inverse = q > 0 ? q / p : 0;
   const double g1 = q * p, g2 = q6 * p * p, g3 = q3 * q12 * p * p * p;
   const double d1 = q2 * inverse, d2 = q4 * q4 * inverse * inverse;
   const double d3 = q6 * q12 * inverse * inverse * inverse;
@@ -79,7 +80,7 @@ void Jacobi::expand_in_nome(double Kc, double a_prime) {
   slope_ = pi / K_ * (s1 + 2 * s2 + 3 * s3) / (1 + c1 + c2 + c3);
 }
 
-void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
+void Jacobi::expand_in_complementary_nome(double Kc, double eta_prime) {
   Hyperbolic& k = hyperbolic_series_;
   k.scale = pi / (2 * Kc);
   k.turns = 0.5 / K_;
@@ -94,9 +95,9 @@ void Jacobi::expand_in_complementary_nome(double Kc, double a_prime) {
   cn_scale_ = theta2 / theta4;
   dn_scale_ = theta2 / theta3;
 
-  const double x = 0.5 * k.scale * (Kc - a_prime);  // pi a/4K'
+  const double x = 0.5 * k.scale * (Kc - eta_prime);  // pi eta/4K'
   k.drift = -x / K_;
-  double slope = 0, theta = 0;  // Of theta_2(x - i w, root) at w = 0.
+  double slope = 0, theta = 0;  // Slope and value of theta_2(x - i w, root) at w = 0.
   double size = 1, power = 1;   // root^(n^2) and root^n
   for (std::size_t n = 0; n < k.re.size(); ++n) {
     const auto multiple = static_cast<double>(2 * n + 1);

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <twrench/math/elliptic.h>
-
 #include <cmath>
 
 #include "math/elementary.h"
+#include "math/elliptic.h"
 
 namespace twrench::elliptic {
 
@@ -38,7 +37,7 @@ struct JacobiSeries {
     const auto [turns, bits] = elementary::nearest_integer(k.turns * u);
     const double r = u - turns * k.period, side = std::copysign(1.0, r);
     const double size = std::abs(r) < j.K_ ? std::abs(r) : j.K_;
-    // Hyperbolic functions of w without their growing factor e^|w|, which cancels.
+    // Hyperbolic functions of w without their growing factor e^|w|, because it cancels.
     const double x = elementary::exp_minus(k.scale * size), y = k.root / x;
     const double x2 = x * x, x4 = x2 * x2, y2 = y * y, y4 = y2 * y2;
     const double x_even = 1 + k.q6 * x4, x_odd = k.q2 * x2;

@@ -8,39 +8,27 @@
 
 namespace twrench::so3 {
 
-namespace {
-
-/// Throws OutOfRange unless all are finite. The sum is, except where it overflows.
-template <class Values>
-const Values& checked(const char* quantity, const Values& values) {
-  if (!std::isfinite(values.sum())) {
-    for (const double value : values.reshaped()) require_finite(quantity, value);
-  }
-  return values;
-}
-
-}  // namespace
-
-Matrix3d hat(const Vector3d& w) { return Formulas::hat(checked("w", w)); }
+Matrix3d hat(const Vector3d& w) { return Formulas::hat(require_finite_entries("w", w)); }
 
 Vector3d vee(const Matrix3d& Omega) {
-  checked("Omega", Omega);
+  require_finite_entries("Omega", Omega);
   return {Omega(2, 1), Omega(0, 2), Omega(1, 0)};
 }
 
 AngleFunctions angle_functions(const Vector3d& u) {
-  return Formulas::angle_functions(checked("u", u));
+  return Formulas::angle_functions(require_finite_entries("u", u));
 }
 
 Vector3d exp_times(const AngleFunctions& f, const Vector3d& u, const Vector3d& v) {
-  return Formulas::exp_times(f, checked("u", u), checked("v", v));
+  return Formulas::exp_times(f, require_finite_entries("u", u), require_finite_entries("v", v));
 }
 
 Vector3d dexpinv(const AngleFunctions& f, const Vector3d& u, const Vector3d& omega) {
-  return Formulas::dexpinv(f, checked("u", u), checked("omega", omega));
+  return Formulas::dexpinv(f, require_finite_entries("u", u),
+                           require_finite_entries("omega", omega));
 }
 
-Matrix3d exp(const Vector3d& u) { return Formulas::exp(checked("u", u)); }
+Matrix3d exp(const Vector3d& u) { return Formulas::exp(require_finite_entries("u", u)); }
 
 Matrix3d exp(double h, const Matrix3d& Omega) {
   require_finite("h", h);
@@ -50,7 +38,7 @@ Matrix3d exp(double h, const Matrix3d& Omega) {
 Vector3d log(const Matrix3d& X) {
   // The unit quaternion (w, v) keeps full accuracy at both ends of the range: near 0, where the
   // trace does not determine the angle, and near pi, where X - X^T vanishes.
-  Quaternion q(checked("X", X));
+  Quaternion q(require_finite_entries("X", X));
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
   Vector3d v = q.vec();
   const double sine = v.norm();

@@ -6,10 +6,10 @@
 
 namespace twrench::so3 {
 
-/// The formulas of so3.h as inline functions, which do not check their arguments: what is not
-/// finite gives NaN. They are private so that only the library's compiler flags apply to them: an
-/// inline function of a public header would also be compiled with the flags of a program, and the
-/// linker would keep one of the two versions.
+/// The formulas of so3.h as inline functions. They do not check their arguments; numbers that are
+/// not finite give NaN. They are private so that only the library's compiler flags apply to them.
+/// An inline function of a public header would also be compiled with the flags of a program, and
+/// the linker would keep only one of the two versions.
 struct Formulas {
   static Matrix3d hat(const Vector3d& w) {
     Matrix3d Omega;

@@ -5,9 +5,9 @@
 
 namespace twrench::mesh {
 
-/// How much work a search may do, in steps of some 10 ns. A count of steps, unlike a clock, gives
-/// up at the same mesh on every machine. All threads of a search share it; whether it suffices does
-/// not depend on the order in which they take from it.
+/// The amount of work that a search may do, in steps of about 10 ns. Counting steps rather than
+/// time makes every machine stop at the same mesh. All threads of a search share the allowance;
+/// whether it suffices does not depend on the order in which they take from it.
 class Allowance {
  public:
   explicit Allowance(std::size_t steps) : left_(static_cast<std::ptrdiff_t>(steps)) {}
@@ -19,7 +19,7 @@ class Allowance {
   std::atomic<std::ptrdiff_t> left_;
 };
 
-/// Some seconds on one processor.
+/// A few seconds on one processor.
 inline constexpr std::size_t usual_steps = 300'000'000;
 
 }  // namespace twrench::mesh

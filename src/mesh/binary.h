@@ -8,8 +8,7 @@
 
 namespace twrench::mesh {
 
-/// Returns the number whose bytes stand at `offset`, in the given order. The caller checks the
-/// bounds.
+/// Returns the number stored at `offset` in the given byte order. The caller checks the bounds.
 template <typename Number>
 Number number_at(std::string_view bytes, std::size_t offset,
                  std::endian order = std::endian::little) {

@@ -15,29 +15,30 @@ using Eigen::Vector3d;
 
 constexpr std::size_t most_examples = 16;  // of each task
 
-/// The corners of a triangle, and its plane.
+/// A triangle's corners and its plane.
 struct Plane {
   std::array<Vector3d, 3> corners;
-  Vector3d normal;  ///< Twice the area long.
+  Vector3d normal;  ///< Its length is twice the area.
 
   Plane(const TriangleTree& tree, std::uint32_t triangle)
       : corners{tree.corner(triangle, 0), tree.corner(triangle, 1), tree.corner(triangle, 2)},
         normal((corners[1] - corners[0]).cross(corners[2] - corners[0])) {}
 
-  /// How far the corners of another triangle are on the side of the normal, times its length.
+  /// Returns the signed distances of another triangle's corners from the plane, times the normal's
+  /// length.
   Vector3d heights(const Plane& other) const {
     return {normal.dot(other.corners[0] - corners[0]), normal.dot(other.corners[1] - corners[0]),
             normal.dot(other.corners[2] - corners[0])};
   }
 
-  /// Whether the heights tell of corners on both sides, farther away than a touch.
+  /// Returns whether there are corners on both sides of the plane, farther away than a touch.
   bool is_between(const Vector3d& heights, double touch) const {
     const double least = heights.minCoeff(), greatest = heights.maxCoeff();
     if (least >= 0.0 || greatest <= 0.0) return false;
     return std::min(-least, greatest) > touch * normal.norm();
   }
 
-  /// Whether a point of the plane is within the triangle or on its border.
+  /// Returns whether a point of the plane is within the triangle or on its border.
   bool holds(const Vector3d& point) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d edge = corners[(k + 1) % 3] - corners[k], to_point = point - corners[k];
@@ -47,8 +48,8 @@ struct Plane {
     return true;
   }
 
-  /// The point where an edge of another triangle passes through this one, from beyond a touch on
-  /// one side to beyond it on the other; nothing where none does.
+  /// Returns the point where an edge of another triangle passes through this one. The edge must
+  /// reach farther than a touch on both sides. Nothing if no edge does.
   std::optional<Vector3d> point_of_passage(const Plane& other, const Vector3d& heights,
                                            double touch) const {
     const double limit = touch * normal.norm();
@@ -65,7 +66,7 @@ struct Plane {
   }
 };
 
-/// A point that both triangles share, where they pass through each other farther than a touch.
+/// Returns a common point of two triangles that pass through each other farther than a touch.
 std::optional<Vector3d> crossing_of(const Plane& a, const Plane& b, double touch) {
   const Vector3d from_a = a.heights(b);
   if (!a.is_between(from_a, touch)) return {};
@@ -75,9 +76,9 @@ std::optional<Vector3d> crossing_of(const Plane& a, const Plane& b, double touch
   return b.point_of_passage(a, from_b, touch);
 }
 
-/// Whether a box is flat, and the other one lies on one side of it, so that nothing in it passes
-/// through what is in the other. The ends of a cylinder are such: many of their triangles are close
-/// to all others.
+/// Returns whether a box is flat and the other box lies on one side of it, so that their contents
+/// cannot cross. This test matters at the ends of a cylinder, where many triangles are close to all
+/// others.
 bool is_beside(const Eigen::AlignedBox3f& flat, const Eigen::AlignedBox3f& other) {
   for (Eigen::Index i = 0; i < 3; ++i) {
     const float place = flat.min()[i];
@@ -92,7 +93,8 @@ class Search {
   Search(const TriangleTree& tree, double touch, Allowance& allowance)
       : tree_(&tree), touch_(touch), allowance_(&allowance) {}
 
-  /// Between the triangles of two nodes on the same level, or within one.
+  /// Searches between the triangles of two nodes on the same level, or within one node if `a`
+  /// equals `b`.
   void run(std::size_t a, std::size_t b) {
     search(a, b);
     allowance_->take(steps_);
@@ -148,7 +150,7 @@ class Search {
   const TriangleTree* tree_;
   double touch_;
   Allowance* allowance_;
-  std::size_t steps_ = 0;  ///< That have not been taken from the allowance yet.
+  std::size_t steps_ = 0;  ///< Not yet deducted from the allowance.
 };
 
 }  // namespace
@@ -167,7 +169,7 @@ Crossings find_crossings(const TriangleTree& tree, Allowance& allowance) {
     for (std::size_t i = begin; i < end; ++i) searches[i].run(tasks[i].first, tasks[i].second);
   });
   Crossings all;
-  if (allowance.is_used_up()) return {.given_up = true, .examples = {}};
+  if (allowance.is_used_up()) return {.is_incomplete = true, .examples = {}};
   for (const Search& search : searches) {
     all.count += search.found.count;
     all.examples.insert(all.examples.end(), search.found.examples.begin(),

@@ -22,12 +22,12 @@ struct Crossings {
   std::size_t count = 0;
   /// Whether the search stopped early because far more triangles than usual are close to each
   /// other, such as those of a large fan. The result is then incomplete.
-  bool given_up = false;
-  std::vector<Crossing> examples;  ///< Some of them; none only where there are none.
+  bool is_incomplete = false;
+  std::vector<Crossing> examples;  ///< Some of them; at least one if there are any.
 };
 
-/// Returns the pairs of triangles that pass through each other, farther than a touch. Those that
-/// have an edge in common cannot. The search ends when the allowance is used up.
+/// Returns the pairs of triangles that pass through each other and do not merely touch. Triangles
+/// with a common edge cannot cross. The search ends when the allowance is used up.
 Crossings find_crossings(const TriangleTree& tree, Allowance& allowance);
 
 }  // namespace twrench::mesh

@@ -20,12 +20,12 @@ namespace {
 using body::TriangleMesh;
 using Eigen::Vector3d;
 
-/// In the file's own unit, by which its author can find the point.
+/// Writes a point in the file's own unit, so that its author can find it.
 std::string text_of(const Vector3d& point) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", point.x(), point.y(), point.z());
 }
 
-/// "12 edges, the first from (0, 0, 0) to (0, 0, 1)".
+/// Returns "12 edges, the first from (0, 0, 0) to (0, 0, 1)".
 std::string edges_text(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
   const auto& [from, to] = edges.front();
   const char* const count = edges.size() == 1 ? "1 edge," : "edges, the first";
@@ -34,10 +34,10 @@ std::string edges_text(const TriangleMesh& mesh, const std::vector<DirectedEdge>
                      text_of(mesh.vertices[from]), text_of(mesh.vertices[to]));
 }
 
-/// "; besides, 5 edges have a triangle on one side only".
+/// Returns "; it is also open at 5 edges", or nothing if there are no open edges.
 std::string also_open(const Topology& topology) {
   if (topology.open.empty()) return {};
-  return fmt::format("; besides, it is open at {} edge{}", topology.open.size(),
+  return fmt::format("; it is also open at {} edge{}", topology.open.size(),
                      topology.open.size() == 1 ? "" : "s");
 }
 
@@ -59,7 +59,7 @@ void require_closed(const std::string& name, const TriangleMesh& mesh, const Top
     throw InvalidArgument(name,
                           fmt::format("it is not manifold: more than two triangles meet at {}{}",
                                       edges_text(mesh, topology.branching), also_open(topology)),
-                          "take out faces within the body, or make parts that touch one");
+                          "remove inner faces, or unite parts that touch");
   }
   if (!topology.opposed.empty()) {
     throw InvalidArgument(name,
@@ -74,7 +74,8 @@ void turn_over(TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-/// Throws where the volume is no more than the rounding of the coordinates makes of a flat surface.
+/// Throws if the volume is no larger than what the rounding of the coordinates can produce for a
+/// flat surface.
 void require_volume(const std::string& name, const TriangleMesh& mesh) {
   double greatest = 0.0;
   for (const Vector3d& vertex : mesh.vertices) {
@@ -90,7 +91,7 @@ void require_volume(const std::string& name, const TriangleMesh& mesh) {
 }
 
 void add_notes_of(const Overlap& overlap, std::vector<std::string>& notes) {
-  if (overlap.given_up) {
+  if (overlap.is_incomplete) {
     notes.emplace_back(
         "it was not searched for triangles that cross, because too many of them are "
         "long and close to each other");
@@ -100,11 +101,11 @@ void add_notes_of(const Overlap& overlap, std::vector<std::string>& notes) {
                               overlap.crossings, text_of(overlap.point),
                               overlap.is_unclear ? "and whether that matters to its volume was "
                                                    "not found out, because it would take too long"
-                                                 : "which does not matter to its volume"));
+                                                 : "without effect on its volume"));
 }
 
-/// Throws where triangles cross, or components lie within each other, so that the volume there does
-/// not count once.
+/// Throws if triangles cross or components lie within each other, so that some volume is not
+/// counted exactly once.
 void require_simple(const std::string& name, const TriangleMesh& mesh, const Topology& topology,
                     bool is_inside_out, std::vector<std::string>& notes) {
   const TriangleTree tree(mesh);
@@ -114,9 +115,9 @@ void require_simple(const std::string& name, const TriangleMesh& mesh, const Top
     throw InvalidArgument(
         name,
         fmt::format("it intersects itself: {} pairs of triangles cross, the first "
-                    "near {}, and its volume there does not count once",
+                    "near {}, so the volume there is not counted exactly once",
                     overlap.crossings, text_of(overlap.point)),
-        "unite the parts that overlap, or make each a mesh of its own");
+        "unite the parts that overlap, or make each a separate mesh");
   }
   add_notes_of(overlap, notes);
   if (const auto wrong = misplaced_component(tree, topology, is_inside_out, allowance)) {
@@ -146,7 +147,7 @@ void require_solid(const std::string& name, TriangleMesh& mesh, const Topology& 
   require_volume(name, mesh);
   if (!is_inside_out) return;
   turn_over(mesh);
-  notes.emplace_back("it was inside out, and is turned over");
+  notes.emplace_back("it was inside out and has been turned over");
 }
 
 }  // namespace twrench::mesh

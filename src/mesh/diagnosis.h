@@ -7,9 +7,9 @@
 
 namespace twrench::mesh {
 
-/// Turns a mesh that is inside out, and says so in a note. Throws MeshError or InvalidArgument
-/// about `name` where the mesh bounds no solid. `scale` is the length of its unit in cm. Without
-/// `search`, crossing triangles and components within each other are not found.
+/// Turns a mesh over if it is inside out, and adds a note about it. Throws MeshError or
+/// InvalidArgument about `name` if the mesh does not bound a solid. `scale` is the length of its
+/// unit in cm. Without `search`, crossing triangles and nested components are not detected.
 void require_solid(const std::string& name, body::TriangleMesh& mesh, const Topology& topology,
                    double scale, bool search, std::vector<std::string>& notes);
 

@@ -8,17 +8,17 @@
 
 namespace twrench::mesh {
 
-/// Sets of the numbers from 0 on that share no number, and are joined.
+/// Disjoint sets of the numbers from 0, which can be joined (union-find).
 class DisjointSets {
  public:
-  /// Each number is a set of its own.
+  /// Starts with one set per number.
   explicit DisjointSets(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), 0U);
   }
 
   std::size_t size() const { return parents_.size(); }
 
-  /// Returns the least number of the set that `number` is in.
+  /// Returns the least number of the set that contains `number`.
   std::uint32_t find(std::uint32_t number) {
     while (parents_[number] != number) {
       parents_[number] = parents_[parents_[number]];
@@ -27,7 +27,7 @@ class DisjointSets {
     return number;
   }
 
-  /// Makes the sets that the two are in one.
+  /// Joins the sets that contain `a` and `b`.
   void join(std::uint32_t a, std::uint32_t b) {
     a = find(a), b = find(b);
     if (b < a) std::swap(a, b);

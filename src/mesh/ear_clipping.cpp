@@ -19,9 +19,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Cuts off corners one by one. What is cut off is always counter-clockwise; the triangles together
-/// then cover what the polygon does, once, whatever the order. Only corners at which the outline
-/// does not turn left can be in the way of an ear.
+/// Cuts off corners one by one. Each triangle cut off is counter-clockwise, so that in any order
+/// the triangles together cover the polygon exactly once. Only corners at which the outline does
+/// not turn left can block an ear.
 class EarClipper {
  public:
   EarClipper(std::span<const Vector2d> polygon, Allowance& allowance)
@@ -63,8 +63,8 @@ class EarClipper {
     return turn(points_[previous_[i]], points_[i], points_[next_[i]]);
   }
 
-  /// Whether the triangle at a corner can be cut off. If another corner is in the way, this one
-  /// waits for it.
+  /// Returns whether the triangle at a corner can be cut off. If another corner blocks it, the
+  /// corner is queued until that one is cleared.
   bool is_ear(std::uint32_t i) {
     const Triangle ear = triangle_at(i);
     const std::array corners{points_[ear[0]], points_[ear[1]], points_[ear[2]]};
@@ -86,7 +86,7 @@ class EarClipper {
     const Vector2d& point = points_[other];
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector2d &corner = corners[k], &from = corners[(k + 1) % 3], &to = corners[(k + 2) % 3];
-      if (point == corner) {  // then it depends on where the outline goes from there
+      if (point == corner) {  // then the direction of the outline from there decides
         return std::ranges::any_of(std::array{previous_[other], next_[other]}, [&](auto neighbour) {
           return turn(corner, from, points_[neighbour]) == Turn::left &&
                  turn(corner, to, points_[neighbour]) == Turn::right;
@@ -111,7 +111,7 @@ class EarClipper {
     clear_way(i);
   }
 
-  /// A corner is in the way of no other any more. Those that waited for it are looked at again.
+  /// Marks a corner that no longer blocks others, and queues those that waited for it again.
   void clear_way(std::uint32_t blocker) {
     hollows_->remove(blocker, points_[blocker]);
     std::vector<std::uint32_t>& waiting = waiting_[blocker];
@@ -121,10 +121,10 @@ class EarClipper {
 
   std::span<const Vector2d> points_;
   Allowance* allowance_;
-  std::vector<std::uint32_t> next_, previous_;       ///< Of corners that are left.
-  std::vector<std::vector<std::uint32_t>> waiting_;  ///< For each corner.
+  std::vector<std::uint32_t> next_, previous_;       ///< Neighbours of the remaining corners.
+  std::vector<std::vector<std::uint32_t>> waiting_;  ///< Corners that each corner blocks.
   std::size_t left_;
-  std::vector<std::uint32_t> queue_;  ///< Corners to be looked at; may have been cut off since.
+  std::vector<std::uint32_t> queue_;  ///< Corners to visit; some may have been cut off since.
   std::optional<PointGrid> hollows_;
   std::vector<Triangle> triangles_;
 };

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The ends of an edge as a point of six dimensions, and which edge that is.
+/// The ends of an edge as a point in six dimensions, and the index of the edge.
 struct Ends {
   std::array<Vector3d, 2> ends;
   std::size_t edge;
@@ -27,12 +27,12 @@ struct Ends {
   }
 };
 
-/// Edges as a k-d tree: the middle one of each part halves it at its own coordinate.
+/// Edges as a k-d tree: each part is split at the coordinate of its middle edge.
 class EdgeTree {
  public:
   explicit EdgeTree(std::vector<Ends> edges) : edges_(std::move(edges)) { sort(edges_, 0); }
 
-  /// The distance of the ends to those of the nearest other edge.
+  /// Returns the distance to the nearest other edge: the greater distance of their ends.
   double nearest(const Ends& of, Allowance& allowance) const {
     double best = std::numeric_limits<double>::infinity();
     allowance.take(search(edges_, 0, of, best));
@@ -49,7 +49,7 @@ class EdgeTree {
     sort(part.subspan(middle + 1), (axis + 1) % 6);
   }
 
-  /// Returns how many edges were looked at.
+  /// Returns the number of edges visited.
   static std::size_t search(std::span<const Ends> part, std::size_t axis, const Ends& of,
                             double& best) {
     if (part.empty()) return 0;
@@ -71,7 +71,8 @@ class EdgeTree {
   std::vector<Ends> edges_;
 };
 
-/// The least of 1, 2 and 5 times a power of ten that is not less.
+/// Returns the least number of the form 1, 2 or 5 times a power of ten that is not less than
+/// `value`.
 double rounded_up(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -110,7 +111,7 @@ double largest_gap(const body::TriangleMesh& mesh, const std::vector<DirectedEdg
 std::optional<double> closing_tolerance(const body::TriangleMesh& mesh, double gap, double scale) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
-  // The ends that are to be one may be a few gaps apart. What is more is no gap, but a hole.
+  // Ends that belong together may be a few gaps apart. Anything wider is a hole rather than a gap.
   for (double tolerance = gap; tolerance > 0.0 && tolerance < 0.004 * box.diagonal().norm();
        tolerance *= 4.0) {
     const double round = rounded_up(tolerance * scale);

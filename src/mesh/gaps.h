@@ -6,12 +6,14 @@
 
 namespace twrench::mesh {
 
-/// Returns the largest distance from an open edge to the open edge nearest to it that runs the
-/// other way: the greater distance of their ends. Infinity where there is no other open edge.
+/// Returns the largest distance from an open edge to the nearest other open edge that runs the
+/// opposite way. The distance of two edges is the greater distance of their ends. Infinity if there
+/// is no other open edge.
 double largest_gap(const body::TriangleMesh& mesh, const std::vector<DirectedEdge>& open);
 
-/// Returns a tolerance at which welding closes the mesh and leaves it what it is, a round number
-/// that is not much larger than the gap. All in units of `scale`. Nothing where there is none.
+/// Returns a tolerance at which welding closes the mesh without destroying it: a round number that
+/// is not much larger than the gap. `mesh` and `gap` are in the mesh's unit, of `scale` cm; the
+/// result is in cm. Nothing if there is no such tolerance.
 std::optional<double> closing_tolerance(const body::TriangleMesh& mesh, double gap, double scale);
 
 }  // namespace twrench::mesh

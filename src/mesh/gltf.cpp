@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Matrix4d;
 
-/// A component of a colour as it is shown, of light (IEC 61966-2-1).
+/// Returns the sRGB component of a linear one (IEC 61966-2-1).
 float srgb_of_linear(double light) {
   const double x = std::clamp(light, 0.0, 1.0);
   return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
@@ -50,14 +50,14 @@ class GltfReader {
   }
 
  private:
-  /// Throws where the file needs what is not read.
+  /// Throws if the file requires an unsupported feature.
   void require_readable() const {
     if (!document_.at("asset").at("version").text().starts_with("2.")) {
       throw document_.at("asset").at("version").bad("is not 2.0");
     }
     for (std::size_t i = 0; i < document_.size("extensionsRequired"); ++i) {
       const std::string name = document_.at("extensionsRequired").at(i).text();
-      // These change the look, or types of numbers that are read all the same.
+      // These change only the appearance, or allow number types that are read anyway.
       constexpr std::array harmless{"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
                                     "KHR_mesh_quantization"};
       if (std::ranges::any_of(harmless, [&](const char* h) { return name.starts_with(h); }))
@@ -89,7 +89,7 @@ class GltfReader {
       for (std::size_t i = 0; i < count; ++i)
         corners.push_back(static_cast<std::uint32_t>(first + i));
     }
-    // A transform that mirrors turns the triangles over.
+    // A mirroring transform turns the triangles over.
     add_triangles(corners, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
   }
 
@@ -106,7 +106,7 @@ class GltfReader {
     if (!mesh.colors.empty()) mesh.colors.resize(mesh.vertices.size(), {1.0F, 1.0F, 1.0F});
   }
 
-  /// The linear colour of a primitive's material, where that has one.
+  /// Returns the linear colour of a primitive's material, if it has one.
   std::optional<std::array<double, 3>> base_color(const GltfValue& primitive) const {
     const auto index = primitive.find("material");
     if (!index) return {};
@@ -118,7 +118,7 @@ class GltfReader {
     return std::array{color[0], color[1], color[2]};
   }
 
-  /// Gives the vertices from `first` on the product of their own linear colour and their
+  /// Colours the vertices from `first` with the product of their linear colour and their
   /// material's.
   void add_colors(const std::optional<GltfValue>& index,
                   const std::optional<std::array<double, 3>>& material, std::size_t first) {

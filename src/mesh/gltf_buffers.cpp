@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t most_buffer_bytes = std::size_t{1} << 30U;
 
-/// A URI's text without its escapes such as %20.
+/// Decodes escapes such as %20 in a URI.
 std::string unescaped(std::string_view uri) {
   std::string text;
   while (!uri.empty()) {
@@ -48,7 +48,7 @@ std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// The numbers by which glTF calls types, which are OpenGL's.
+// glTF's numbers of component types, which are OpenGL's.
 constexpr std::uint64_t int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125,
                         float32 = 5126;
 
@@ -127,7 +127,7 @@ void GltfBuffers::load(const GltfValue& value, std::uint64_t index, Buffer& buff
 
 const GltfBuffers::Buffer& GltfBuffers::buffer(std::uint64_t index) {
   const GltfValue value = document_->at("buffers").at(index);
-  // Sized once, as the bytes of a short text move with its string.
+  // Sized once: `bytes` of a short buffer points into its string and would not survive a move.
   if (buffers_.empty()) buffers_.resize(document_->size("buffers"));
   std::optional<Buffer>& slot = buffers_[index];
   if (slot) return *slot;
@@ -176,7 +176,7 @@ GltfAccessor::GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers)
     : type_(accessor.at("componentType").whole()),
       count_(accessor.at("count").whole()),
       components_(components_of(accessor.at("type"))) {
-  if (accessor.find("sparse")) throw accessor.bad("is sparse, which is not read");
+  if (accessor.find("sparse")) throw accessor.bad("is sparse, which is not supported");
   if (const auto normalized = accessor.find("normalized")) normalized_ = normalized->boolean();
   const std::size_t size = components_ * size_of_component(accessor.at("componentType"));
   const GltfView view = buffers.view(accessor.at("bufferView").whole());

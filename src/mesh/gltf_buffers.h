@@ -16,11 +16,11 @@ namespace twrench::mesh {
 /// A part of a buffer.
 struct GltfView {
   std::string_view bytes;
-  /// The bytes from one element to the next, where it says so.
+  /// The bytes from one element to the next, if specified.
   std::optional<std::size_t> stride;
 };
 
-/// The buffers of a glTF file, which are read when they are needed.
+/// The buffers of a glTF file, read on demand.
 class GltfBuffers {
  public:
   /// `binary` is the binary chunk of a .glb file. All must outlive the buffers.
@@ -28,18 +28,18 @@ class GltfBuffers {
               std::optional<std::string_view> binary)
       : source_(&source), document_(&document), binary_(binary) {}
 
-  /// Returns a buffer view. Throws system::FileError where there are not as many as
-  /// the view says, and InvalidArgument where they are in a place that is not read.
+  /// Returns a buffer view. Throws system::FileError if its buffer has too few bytes, and
+  /// InvalidArgument if the buffer is in a file that may not be read.
   GltfView view(std::uint64_t index);
 
-  /// Returns how many bytes were read from other files.
+  /// Returns the number of bytes read from other files.
   std::size_t bytes() const;
 
-  /// The files that were read, in the order of the buffers.
+  /// Returns the files that were read, in the order of the buffers.
   std::vector<OtherFile> files() const;
 
  private:
-  /// A file that was read, however many buffers refer to it.
+  /// A file that was read. Several buffers may refer to it.
   struct File {
     std::string bytes;
     OtherFile file;
@@ -47,7 +47,7 @@ class GltfBuffers {
   struct Buffer {
     std::string owned;
     std::string_view bytes;
-    const File* file = nullptr;  ///< Null where the bytes are in the document itself.
+    const File* file = nullptr;  ///< Null if the bytes are in the document itself.
   };
 
   const Buffer& buffer(std::uint64_t index);
@@ -64,12 +64,12 @@ class GltfBuffers {
 /// The numbers of an accessor, one for each component of each element.
 class GltfAccessor {
  public:
-  /// Throws system::FileError where the accessor is damaged.
+  /// Throws system::FileError if the accessor is damaged.
   GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers);
 
   std::size_t size() const { return count_; }
   std::size_t components() const { return components_; }
-  /// Whether the numbers are whole ones without a sign, as indices are.
+  /// Returns whether the numbers are unsigned integers, as indices must be.
   bool is_unsigned() const;
   double at(std::size_t element, std::size_t component) const;
 

@@ -7,15 +7,15 @@
 
 namespace twrench::mesh {
 
-/// What a glTF file consists of.
+/// The chunks of a glTF file.
 struct GltfChunks {
   std::string_view json;
-  /// The first buffer of a .glb file, where it has one.
+  /// The first buffer of a .glb file, if it has one.
   std::optional<std::string_view> binary;
 };
 
-/// Returns the chunks of a .glb file, or a .gltf file as the one that it is. Throws
-/// system::FileError where a chunk is cut off.
+/// Returns the chunks of a .glb file; a .gltf file is a single JSON chunk. Throws system::FileError
+/// if a chunk is cut off.
 GltfChunks gltf_chunks(const Source& source);
 
 }  // namespace twrench::mesh

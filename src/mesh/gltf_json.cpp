@@ -59,7 +59,7 @@ const std::string& GltfValue::text() const {
 }
 
 std::vector<double> GltfValue::numbers(std::size_t count) const {
-  if (size() != count) throw bad(fmt::format("has not {} numbers", count));
+  if (size() != count) throw bad(fmt::format("must have {} numbers", count));
   std::vector<double> values;
   for (std::size_t i = 0; i < count; ++i) values.push_back(at(i).number());
   return values;

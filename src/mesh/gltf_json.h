@@ -10,28 +10,29 @@
 
 namespace twrench::mesh {
 
-/// A value in the JSON of a glTF file, which knows where it stands, so that messages can say it.
+/// A value in the JSON of a glTF file. It knows its place, which messages quote.
 class GltfValue {
  public:
   /// The whole document; it must outlive the value.
   GltfValue(const std::string& file, const nlohmann::json& json) : file_(&file), json_(&json) {}
 
-  /// Where it stands: "nodes[3].mesh".
+  /// Returns the place of the value: "nodes[3].mesh".
   const std::string& place() const { return place_; }
 
-  /// The error about this value: "cannot read FILE: PLACE WHY".
+  /// Returns the error about this value: "cannot read FILE: PLACE WHY".
   system::FileError bad(const std::string& why) const;
 
-  /// The value under a key of an object; nothing where there is none.
+  /// Returns the value under a key of an object; nothing if there is none.
   std::optional<GltfValue> find(const char* key) const;
   GltfValue at(const char* key) const;
 
-  /// The entries of an array; of a missing one there are none.
+  /// Returns the number of entries of an array; throws if the value is not an array.
   std::size_t size() const;
   GltfValue at(std::uint64_t index) const;
+  /// Returns the number of entries of the array under a key; 0 if there is none.
   std::size_t size(const char* key) const;
 
-  // The value as what it must be; each throws where it is something else.
+  // The value as the required type; each throws if it is of another type.
   std::uint64_t whole() const;
   double number() const;
   bool boolean() const;

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Matrix4d;
 
-/// The transform of a node in its parent's frame.
+/// Returns the transform of a node in its parent's frame.
 Matrix4d transform_of(const GltfValue& node) {
   if (const auto matrix = node.find("matrix")) {
     const std::vector<double> columns = matrix->numbers(16);
@@ -37,7 +37,7 @@ std::vector<std::uint64_t> indices(const std::optional<GltfValue>& list) {
   return all;
 }
 
-/// The nodes at the top.
+/// Returns the indices of the root nodes.
 std::vector<std::uint64_t> roots(const GltfValue& document) {
   if (document.size("scenes") > 0) {
     return indices(document.at("scenes").at(document.whole_or("scene", 0)).find("nodes"));

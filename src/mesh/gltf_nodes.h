@@ -9,14 +9,14 @@
 
 namespace twrench::mesh {
 
-/// A mesh of a glTF file where a node places it.
+/// A mesh of a glTF file as placed by a node.
 struct GltfInstance {
   std::uint64_t mesh;
   Eigen::Matrix4d transform;  ///< From the mesh to the scene.
 };
 
-/// Returns the meshes of the scene that is shown, or of all nodes where the file has no scene.
-/// Throws system::FileError where the nodes are no forest.
+/// Returns the mesh instances of the default scene, or of all nodes if the file has no scene.
+/// Throws system::FileError if the nodes do not form a forest.
 std::vector<GltfInstance> gltf_instances(const GltfValue& document);
 
 }  // namespace twrench::mesh

@@ -54,7 +54,7 @@ std::map<std::uint64_t, GltfMesh> gltf_meshes(const Source& source, const GltfVa
     if (meshes.contains(instance.mesh)) continue;
     meshes.emplace(instance.mesh, counted(document, instance.mesh, buffers));
   }
-  // Without repetition, a triangle takes a byte at least.
+  // Without repetition, a triangle takes at least one byte.
   constexpr std::uint64_t repeated = 3'000'000;
   const std::uint64_t most =
       std::max<std::uint64_t>(source.bytes.size() + buffers.bytes(), repeated);

@@ -10,7 +10,7 @@
 
 namespace twrench::mesh {
 
-/// Triangles of a primitive, as glTF calls its kinds.
+/// The kinds of primitives that consist of triangles, with glTF's numbers.
 enum class GltfMode : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
 
 /// A primitive that has triangles.
@@ -19,17 +19,18 @@ struct GltfPrimitive {
   GltfMode mode;
 };
 
-/// The contents of a mesh of a glTF file, counted.
+/// The primitives of a glTF mesh and their counts.
 struct GltfMesh {
   std::vector<GltfPrimitive> primitives;
   std::uint64_t vertices = 0, triangles = 0;
-  std::uint64_t points_and_lines = 0;  ///< Primitives that are left out.
+  std::uint64_t points_and_lines = 0;  ///< Primitives that are omitted.
   bool has_targets = false;
 };
 
-/// Returns the sizes of the meshes of the instances by their index, without building the meshes. A
-/// file can repeat a mesh any number of times. Throws system::FileError if a mesh is damaged, and
-/// InvalidArgument if the instances together have far more triangles than the file has bytes.
+/// Returns the contents of the meshes that the instances use, by index, without building the
+/// meshes. A file can repeat a mesh any number of times. Throws system::FileError if a mesh is
+/// damaged, and InvalidArgument if the instances together have far more triangles than the file has
+/// bytes.
 std::map<std::uint64_t, GltfMesh> gltf_meshes(const Source& source, const GltfValue& document,
                                               const std::vector<GltfInstance>& instances,
                                               GltfBuffers& buffers);

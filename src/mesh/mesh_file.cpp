@@ -37,7 +37,15 @@ constexpr std::array formats{Format{".obj", read_obj}, Format{".stl", read_stl},
                              Format{".ply", read_ply}, Format{".gltf", read_gltf},
                              Format{".glb", read_gltf}};
 
-/// The end of the name from its last point on, in small letters.
+struct Unit {
+  const char* name;
+  double length;  ///< cm
+};
+
+constexpr std::array units{Unit{"mm", 0.1}, Unit{"cm", 1.0}, Unit{"m", 100.0}, Unit{"inch", 2.54},
+                           Unit{"km", 1e5}};
+
+/// Returns the extension of the name in lower case.
 std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
@@ -56,12 +64,12 @@ Content read_content(const Source& source) {
     throw system::FileError("cannot read " + source.name,
                             fmt::format("it is longer than {} bytes", most_bytes));
   }
-  // Two formats say at once what they are, whatever the name.
+  // Two formats are identified by their first bytes, whatever the name.
   if (source.bytes.starts_with("glTF")) return read_gltf(source);
   if (source.bytes.starts_with("ply\n") || source.bytes.starts_with("ply\r"))
     return read_ply(source);
   if (const Format* format = format_of(source.name)) return format->read(source);
-  throw InvalidArgument(source.name, "its name does not end as that of a mesh does",
+  throw InvalidArgument(source.name, "its extension is not that of a mesh file",
                         "use a file in OBJ, STL, PLY or glTF: .obj .stl .ply .gltf .glb");
 }
 
@@ -78,7 +86,7 @@ void check(const ReadOptions& options) {
   if (options.shell != 0.0) require_positive("shell", options.shell);
 }
 
-/// The integrals in cm and grams where those in the file's unit are known.
+/// Converts integrals in the file's unit to cm and grams.
 body::SolidIntegrals scaled(const std::string& name, const body::SolidIntegrals& integrals,
                             double scale) {
   const double cube = scale * scale * scale;
@@ -87,11 +95,11 @@ body::SolidIntegrals scaled(const std::string& name, const body::SolidIntegrals&
   const bool is_finite =
       std::isfinite(result.volume) && result.centroid.allFinite() && result.inertia.allFinite();
   if (is_finite && result.inertia.trace() > 0.0) return result;
-  throw InvalidArgument(name, "its inertia in g cm^2 is beyond what double precision holds",
+  throw InvalidArgument(name, "its inertia in g cm^2 exceeds the range of a double",
                         "check its unit");
 }
 
-/// Those of the solid, or of a wall, with messages about the file.
+/// Returns the integrals of a solid or a wall. Errors name the file.
 body::SolidIntegrals integrals_of(const std::string& name, const body::TriangleMesh& mesh,
                                   double shell) try {
   return shell == 0.0 ? body::solid_integrals(mesh) : body::shell_integrals(mesh, shell);
@@ -113,7 +121,7 @@ void add_notes_of(const Welded& welded, double tolerance, std::vector<std::strin
   }
 }
 
-/// Joins vertices. Throws OutOfRange where the tolerance is no longer small.
+/// Joins vertices. Throws OutOfRange if the tolerance is not small compared with the mesh.
 Welded weld_within(body::TriangleMesh& mesh, double tolerance, double scale) {
   Welded welded = weld(mesh, 0.0);
   if (tolerance == 0.0) return welded;
@@ -133,7 +141,7 @@ Welded weld_within(body::TriangleMesh& mesh, double tolerance, double scale) {
   return welded;
 }
 
-/// Makes what was read a body, in cm.
+/// Checks the content of a file and converts it to a body in cm.
 MeshFile finish(const std::string& name, Content content, const ReadOptions& options) {
   const double scale = scale_of(name, content, options);
   body::TriangleMesh& mesh = content.mesh;
@@ -156,7 +164,7 @@ MeshFile finish(const std::string& name, Content content, const ReadOptions& opt
   return file;
 }
 
-/// The digest of a file, or of those of the file and of others that belong to it.
+/// Returns the digest of a file or, if others belong to it, the digest of all their digests.
 std::string digest_of(std::string_view bytes, const std::vector<OtherFile>& others) {
   const auto digest = [](std::string_view text) {
     return system::sha256_hex(
@@ -175,7 +183,7 @@ MeshFile read(const std::string& name, Content content, std::string digest,
   return file;
 }
 
-/// Throws unless it is what a reader would have made.
+/// Throws unless coordinates are finite and indices are in range, as they are after reading a file.
 void require_content(const std::string& name, const body::TriangleMesh& mesh) {
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     if (!vertex.allFinite()) throw InvalidArgument(name, "a coordinate is not finite");
@@ -199,15 +207,16 @@ InvalidArgument MeshError::with_remedy(const std::string& remedy) const {
 
 bool is_mesh_name(const std::filesystem::path& file) { return format_of(file) != nullptr; }
 
-double unit_length(const std::string& what, std::string_view unit) {
-  static const std::vector<std::pair<std::string, double>> units{
-      {"mm", 0.1}, {"cm", 1.0}, {"m", 100.0}, {"inch", 2.54}, {"km", 1e5}};
+std::vector<std::string> unit_names() {
   std::vector<std::string> names;
-  for (const auto& [name, length] : units) {
-    if (name == unit) return length;
-    names.push_back(name);
-  }
-  throw unknown_name(what, unit, names);
+  for (const Unit& unit : units) names.emplace_back(unit.name);
+  return names;
+}
+
+double unit_length(const std::string& what, std::string_view unit) {
+  const auto* found = std::ranges::find(units, unit, &Unit::name);
+  if (found == units.end()) throw unknown_name(what, unit, unit_names());
+  return found->length;
 }
 
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
@@ -219,7 +228,7 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     content = read_content({file.string(), text, file.parent_path()});
     digest = digest_of(text, content.others);
-  }  // The checks need the memory of the bytes.
+  }  // Frees the bytes, because the checks need the memory.
   return read(file.string(), std::move(content), std::move(digest), options);
 }
 

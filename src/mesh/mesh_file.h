@@ -14,49 +14,51 @@
 
 namespace twrench::mesh {
 
-/// How the mesh of a file is meant.
+/// How to interpret the mesh of a file.
 struct ReadOptions {
-  /// Centimetres per unit of the file. glTF, which is in metres, needs none.
+  /// Centimetres per unit of the file. Not needed for glTF, which is in metres.
   std::optional<double> scale;
-  /// Vertices that are no farther apart than this, in cm, are joined; 0 joins those that coincide.
+  /// Welding tolerance in cm: vertices that are no farther apart are joined; 0 joins only those
+  /// that coincide.
   double weld = 0.0;
-  /// Thickness in cm of the wall along the surface, which may be open then; 0 for a solid.
+  /// Thickness in cm of a wall along the surface, which may then be open; 0 for a solid.
   double shell = 0.0;
-  /// Whether a solid is searched for triangles that cross and components that do not belong.
+  /// Whether a solid is searched for triangles that cross and components that are misplaced.
   bool search = true;
 };
 
-/// A mesh that was read and found sound.
+/// A mesh that was read and passed the checks.
 struct MeshFile {
-  /// The solid or the wall, in cm, with its integrals. These come from the coordinates in the
-  /// file's own unit, so that the scale does not round what a distant body depends on.
+  /// The solid or the wall, in cm, with its integrals. The integrals are computed in the file's own
+  /// unit. Scaling would round the coordinates, and the integrals of a distant body are sensitive
+  /// to that.
   body::Mesh shape;
   /// The area of the surface in cm^2.
   double area = 0.0;
-  /// Edges at which as many triangles do not run one way as the other; 0 for a solid.
+  /// Edges along which the numbers of triangles in the two directions differ; 0 for a solid.
   std::size_t open_edges = 0;
   /// Pieces of the surface that share no edge.
   std::size_t components = 0;
-  /// What was changed or left out, a line each, for the user.
+  /// Notes for the user on changed or omitted content, one per line.
   std::vector<std::string> notes;
-  /// SHA-256 of the bytes in hexadecimal digits. Where a glTF file has buffers in other files, it
-  /// is that of the digests, in their order.
+  /// SHA-256 of the bytes in hexadecimal digits. If a glTF file has buffers in other files, it is
+  /// the digest of the digests of all files, in order.
   std::string sha256;
-  /// The other files of which it consists: the buffers of a glTF file that are not in it.
+  /// The other files that belong to the mesh: the external buffers of a glTF file.
   std::vector<std::filesystem::path> others;
 };
 
-/// A mesh that can be read, but does not bound a solid or is not given completely.
+/// A mesh that can be read, but does not bound a solid or is incomplete.
 class MeshError : public InvalidArgument {
  public:
-  /// What is missing.
+  /// The defect of the mesh.
   enum class Reason {
-    no_scale,  ///< The file has no unit, and none is given.
+    no_scale,  ///< The unit of the file is unknown and was not given.
     open       ///< The surface is open.
   };
 
-  /// The file and why, the remedy in the keys of a scene file, and the tolerance in cm at which
-  /// welding closes the surface, if there is one.
+  /// `file` was rejected because of `why`. `remedy` is worded in keys of a scene file. `weld` is
+  /// the tolerance in cm at which welding closes the surface, if there is one.
   MeshError(Reason reason, const std::string& file, const std::string& why,
             const std::string& remedy, std::optional<double> weld = {})
       : InvalidArgument(file, why, remedy), reason_(reason), weld_(weld) {}
@@ -64,7 +66,7 @@ class MeshError : public InvalidArgument {
   Reason reason() const noexcept { return reason_; }
   const std::optional<double>& weld() const noexcept { return weld_; }
 
-  /// Returns the same error with another remedy, for those who have no keys of a scene file.
+  /// Returns the same error with another remedy, for callers without a scene file.
   InvalidArgument with_remedy(const std::string& remedy) const;
 
  private:
@@ -72,24 +74,29 @@ class MeshError : public InvalidArgument {
   std::optional<double> weld_;
 };
 
-/// Whether the name ends as those of meshes do: .obj, .stl, .ply, .gltf, .glb, in any case.
+/// Returns whether the name has an extension of a mesh file: .obj, .stl, .ply, .gltf or .glb, in
+/// upper or lower case.
 bool is_mesh_name(const std::filesystem::path& file);
 
-/// Returns the length in cm of a unit: mm, cm, m, inch, km. Throws InvalidArgument about `what`.
+/// Returns the names of the units that a mesh file may use.
+std::vector<std::string> unit_names();
+
+/// Returns the length in cm of a unit. Throws InvalidArgument about `what` if the unit is unknown.
 double unit_length(const std::string& what, std::string_view unit);
 
-/// Reads a mesh in OBJ, STL, PLY or glTF, whichever its content is. Equal vertices are joined, and
-/// triangles without area that this leaves are taken out. A solid is turned inside out where that
-/// is what it needs. Throws InvalidArgument about the file, or a line or triangle of it, where the
-/// mesh is no solid, OutOfRange about "scale", "weld" and "shell", and system::FileError where the
-/// file cannot be read, is longer than 1 GiB, or is damaged.
+/// Reads a mesh in OBJ, STL, PLY or glTF. The content identifies PLY and binary glTF, the extension
+/// the others. Joins equal vertices and removes the triangles that lose their area by this. Turns a
+/// solid over if it is inside out. Throws InvalidArgument about the file, or a line or triangle of
+/// it, if the mesh is not a solid, OutOfRange about "scale", "weld" and "shell", and
+/// system::FileError if the file cannot be read, is longer than 1 GiB, or is damaged.
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options);
 
-/// Reads a mesh from memory; `name` is what messages call it, and its ending counts like a file's.
+/// Reads a mesh file from memory. `name` identifies it in messages, and its extension is used as
+/// that of a file name.
 MeshFile read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options);
 
-/// Does the same with a mesh that is in memory, whose unit is a centimetre unless the options say
-/// otherwise; `name` is what messages call it. Throws InvalidArgument also where an index is out of
+/// Does the same with a mesh structure, whose unit is a centimetre unless the options say
+/// otherwise. `name` identifies it in messages. Also throws InvalidArgument if an index is out of
 /// range or a coordinate is not finite.
 MeshFile checked_mesh(const std::string& name, body::TriangleMesh mesh, const ReadOptions& options);
 

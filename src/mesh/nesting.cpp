@@ -17,10 +17,10 @@ double six_volumes(const TriangleMesh& mesh, std::size_t triangle, const Vector3
   return (mesh.vertices[a] - from).dot((mesh.vertices[b] - from).cross(mesh.vertices[c] - from));
 }
 
-/// A piece of the surface.
+/// A connected component of the surface.
 struct Component {
   std::vector<std::uint32_t> samples;  ///< Some of its triangles.
-  double six_volumes = 0.0;            ///< Signed.
+  double six_volumes = 0.0;            ///< Six times the signed volume.
   double size = 0.0;                   ///< The sum of the magnitudes of its terms.
 };
 
@@ -38,8 +38,9 @@ std::vector<Component> components_of(const TriangleMesh& mesh, const Topology& t
   return components;
 }
 
-/// How often the others wind around a component, which is the same everywhere on it, as they do not
-/// intersect; nothing where they coincide with it in all samples.
+/// Returns how often the other components wind around a component. The number is the same
+/// everywhere on it, because they do not intersect. Nothing if they coincide with it in all
+/// samples.
 std::optional<int> winding_of_others(const TriangleTree& tree, const Topology& topology,
                                      const Component& component, Allowance& allowance) {
   const std::uint32_t own = topology.component[component.samples.front()];
@@ -72,7 +73,7 @@ std::optional<Misplaced> misplaced_component(const TriangleTree& tree, const Top
     const std::optional<int> around = winding_of_others(tree, topology, component, allowance);
     if (!around) continue;
     const int outside = turn * *around, own = component.six_volumes > 0.0 ? turn : -turn;
-    // On one side of it the surface must wind once around, and on the other not at all.
+    // The surface must wind once around one side of the component and not at all around the other.
     if (outside == (own > 0 ? 0 : 1)) continue;
     return Misplaced{tree.corner(component.samples.front(), 0), outside != 0};
   }

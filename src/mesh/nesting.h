@@ -8,18 +8,19 @@
 
 namespace twrench::mesh {
 
-/// The volume within a closed surface, negative where it is inside out, to double precision.
+/// Returns the volume within a closed surface, computed in double precision; negative if the
+/// surface is inside out.
 double signed_volume(const body::TriangleMesh& mesh);
 
-/// A component of a surface that would count wrongly in a sum over all.
+/// A component whose volume would be counted wrongly in the sum over all components.
 struct Misplaced {
   Eigen::Vector3d point;  ///< One of its vertices.
-  bool is_within;         ///< Whether it lies within others, rather than among them.
+  bool is_within;         ///< Whether it lies within other components.
 };
 
-/// Returns the first component that is neither an outer surface nor a cavity in one, nor an outer
-/// surface within a cavity and so on; `is_inside_out` tells that all are turned over. No two may
-/// intersect. Nothing where all are well, or where the allowance is used up.
+/// Returns the first component that is neither an outer surface, nor a cavity in one, nor an outer
+/// surface within a cavity, and so on. If `is_inside_out`, all components are turned over.
+/// Components must not intersect. Nothing if all are well placed or if the allowance is used up.
 std::optional<Misplaced> misplaced_component(const TriangleTree& tree, const Topology& topology,
                                              bool is_inside_out, Allowance& allowance);
 

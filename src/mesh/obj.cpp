@@ -37,7 +37,7 @@ class ObjReader {
   void read_vertex() {
     const double x = lines_.number(), y = lines_.number(), z = lines_.number();
     mesh_.vertices.emplace_back(x, y, z);
-    // Three more numbers are a colour; one alone is a weight, which matters to curves only.
+    // Three more numbers are a colour. A single one is a weight, which only affects curves.
     Lines rest = lines_;
     if (rest.word().empty() || rest.word().empty()) return;
     mesh_.colors.resize(mesh_.vertices.size(), white);
@@ -57,8 +57,8 @@ class ObjReader {
     polygons_.add(ring_, mesh_);
   }
 
-  /// The index from 0 of a corner "7", "7/1", "7//3" or "-1", of which the last counts from the
-  /// vertex read last.
+  /// Returns the index, from 0, of a corner such as "7", "7/1", "7//3" or "-1". Negative numbers
+  /// count back from the vertex read last.
   std::uint32_t index_of(std::string_view word) {
     const std::string_view text = word.substr(0, word.find('/'));
     std::int64_t number = 0;
@@ -70,7 +70,7 @@ class ObjReader {
     const std::int64_t index = number > 0 ? number - 1 : count + number;
     constexpr std::int64_t most = 0xFFFFFFFE;
     if (number == 0 || index < 0 || index > most) throw out_of_range(lines_.place(), word);
-    // The vertex may stand further down.
+    // The vertex may follow later in the file.
     if (index >= count && (!farthest_ || index > farthest_->index)) {
       farthest_ = Reference{index, lines_.line_number(), std::string(word)};
     }
@@ -88,7 +88,7 @@ class ObjReader {
     throw out_of_range(lines_.place(farthest_->line_number), farthest_->word);
   }
 
-  /// A corner whose vertex had not been read.
+  /// A corner that was read before its vertex.
   struct Reference {
     std::int64_t index;
     std::size_t line_number;

@@ -5,8 +5,8 @@
 namespace twrench::mesh {
 
 /// Reads the vertices, with their colours, and the faces of a Wavefront OBJ file; everything else,
-/// materials among it, is passed over. Throws system::FileError about a line that is not OBJ, and
-/// InvalidArgument about one whose numbers cannot be.
+/// including materials, is ignored. Throws system::FileError about a line that is not OBJ, and
+/// InvalidArgument about a line with invalid numbers.
 Content read_obj(const Source& source);
 
 }  // namespace twrench::mesh

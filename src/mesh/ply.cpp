@@ -24,7 +24,7 @@ system::FileError cut_off(const std::string& name, const std::string& why) {
   return {"cannot read " + name, "it is cut off: " + why};
 }
 
-/// The numbers behind the header, one after the other.
+/// Reads the numbers that follow the header, one by one.
 class PlyNumbers {
  public:
   PlyNumbers(std::string name, PlyHeader::Format format, Lines lines)
@@ -32,10 +32,10 @@ class PlyNumbers {
 
   bool is_text() const { return format_ == PlyHeader::Format::text; }
 
-  /// The bytes that have not been read.
+  /// Returns the number of unread bytes.
   std::size_t remaining() const { return is_text() ? lines_.rest().size() : bytes_.size(); }
 
-  /// Goes to the next item: in a text that is the next line.
+  /// Advances to the next item, which in a text file is the next line.
   void begin_item() {
     if (!is_text()) return;
     if (!lines_.next()) throw cut_off(name_, "lines are missing at its end");
@@ -81,17 +81,17 @@ class PlyNumbers {
   std::string_view bytes_;
 };
 
-/// What 1 is written as in a colour of the type.
+/// Returns the number of full intensity in a colour of the type.
 double full_color(PlyType type) {
   if (type == PlyType::uint8) return 255.0;
   return type == PlyType::uint16 ? 65535.0 : 1.0;
 }
 
-/// Which of the properties of a vertex are x, y, z, red, green and blue.
+/// Maps the properties of a vertex to x, y, z, red, green and blue.
 struct VertexLayout {
   struct Slot {
-    std::size_t index;  ///< Which of the six.
-    double unit;        ///< What it is divided by.
+    std::size_t index;  ///< Index among these six.
+    double unit;        ///< Divisor.
   };
 
   explicit VertexLayout(const PlyElement& vertex) {
@@ -109,7 +109,7 @@ struct VertexLayout {
   bool is_complete() const { return found_[0] && found_[1] && found_[2]; }
   bool has_colors() const { return found_[3] && found_[4] && found_[5]; }
 
-  /// For each property; nothing for one that is passed over.
+  /// One per property; nothing for an ignored property.
   std::vector<std::optional<Slot>> slots;
 
  private:
@@ -147,15 +147,15 @@ class PlyReader {
   }
 
  private:
-  /// Throws where the rest of the file is too short for what the header says, before memory is
-  /// taken for it.
+  /// Throws if the rest of the file is too short for the count in the header, before memory is
+  /// allocated.
   void require_room(const PlyElement& element) const {
     std::size_t least = 0;
     for (const PlyProperty& property : element.properties) {
       least += numbers_.is_text() ? 2 : size_of(property.count_type.value_or(property.type));
     }
     least = std::max<std::size_t>(least, 1);
-    // The last line need not end.
+    // The last line may lack its line end.
     if (element.count <= (numbers_.remaining() + 1) / least) return;
     throw cut_off(name_,
                   fmt::format("its header says that it has {} of '{}', for which {} bytes do "

@@ -83,7 +83,7 @@ PlyHeader read_ply_header(Lines& lines) {
     const std::string_view keyword = lines.word();
     if (keyword == "end_header") {
       if (has_format) return header;
-      throw lines.bad("the header does not say in which format the file is");
+      throw lines.bad("the header has no 'format' line");
     }
     if (keyword == "format") {
       header.format = read_format(lines);
@@ -91,7 +91,7 @@ PlyHeader read_ply_header(Lines& lines) {
     } else if (keyword == "element") {
       header.elements.push_back(read_element(lines));
     } else if (keyword == "property") {
-      if (header.elements.empty()) throw lines.bad("a property of no element");
+      if (header.elements.empty()) throw lines.bad("a property before the first element");
       header.elements.back().properties.push_back(read_property(lines));
     } else if (keyword != "comment" && keyword != "obj_info") {
       throw lines.bad(fmt::format("{} is no keyword of a PLY header", shown(keyword)));

@@ -12,13 +12,13 @@ namespace twrench::mesh {
 /// The types of numbers in PLY files.
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// The bytes that a number of the type takes in a binary file.
+/// Returns the size in bytes of a number of the type in a binary file.
 std::size_t size_of(PlyType type);
 
 struct PlyProperty {
   std::string name;
   PlyType type{};
-  /// For a list, the type of the number of its entries.
+  /// For a list, the type of its entry count.
   std::optional<PlyType> count_type;
 };
 
@@ -35,7 +35,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads the header, and leaves the lines behind it. Throws system::FileError where it is damaged.
+/// Reads the header and leaves the lines that follow it. Throws system::FileError if it is damaged.
 PlyHeader read_ply_header(Lines& lines);
 
 }  // namespace twrench::mesh

@@ -15,7 +15,8 @@ PointGrid::PointGrid(std::span<const Vector2d> points, std::span<const std::uint
   if (chosen.empty()) box_.extend(Vector2d::Zero().eval());
   const auto count = static_cast<double>(chosen.size());
   const Vector2d sizes = box_.sizes();
-  // The points may lie along a line. The area itself may underflow, and the cells be far too many.
+  // The points may lie along a line. Computed from the area itself, which may underflow, the cells
+  // would then be far too many.
   size_ = std::max({std::sqrt(sizes.x()) * std::sqrt(sizes.y() / std::max(count, 1.0)),
                     sizes.maxCoeff() / (count + 1), std::numeric_limits<double>::min()});
   columns_ = static_cast<std::size_t>(sizes.x() / size_) + 1;
@@ -52,7 +53,7 @@ std::size_t PointGrid::along(const Vector2d& place, Eigen::Index axis) const {
 
 std::array<std::size_t, 2> PointGrid::columns_within(const std::array<Vector2d, 3>& triangle,
                                                      std::size_t row) const {
-  // A little more than the row, as corners are assigned to rows with rounding.
+  // The band is slightly wider than the row, because corners are assigned to rows with rounding.
   constexpr double margin = 1e-6;
   const double low = box_.min().y() + (static_cast<double>(row) - margin) * size_;
   const double high = low + (1 + 2 * margin) * size_;

@@ -18,8 +18,8 @@ std::vector<std::uint32_t> ring_of(std::span<const Triangle> fan) {
   return ring;
 }
 
-/// The polygon in the coordinate plane in which it looks largest, counter-clockwise. It is as good
-/// as the polygon's own plane, and takes no rounding.
+/// Returns the counter-clockwise projection of the polygon onto the coordinate plane in which it is
+/// largest. It serves as well as the polygon's own plane and involves no rounding.
 std::vector<Vector2d> projected(std::span<const std::uint32_t> ring,
                                 const std::vector<Vector3d>& vertices) {
   std::vector<Vector3d> points;
@@ -37,8 +37,8 @@ std::vector<Vector2d> projected(std::span<const std::uint32_t> ring,
   return polygon;
 }
 
-/// Whether no triangle of the fan is turned over or without area: the fan then covers what the
-/// polygon does, once.
+/// Returns whether no triangle of the fan is turned over or without area. The fan then covers the
+/// polygon exactly once.
 bool is_fan_inside(std::span<const Vector2d> polygon) {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     if (turn(polygon[0], polygon[i], polygon[i + 1]) != Turn::left) return false;

@@ -12,26 +12,26 @@ namespace twrench::mesh {
 
 /// The bytes of a file in one of the formats.
 struct Source {
-  /// What messages call it.
+  /// The name in messages.
   std::string name;
   std::string_view bytes;
-  /// The folder in which the files lie that it may refer to; nothing where there are none.
+  /// The folder of the files that this one may refer to; nothing if it may refer to none.
   std::optional<std::filesystem::path> folder;
 };
 
-/// Another file to which one refers, and which was read for it.
+/// Another file that a mesh file refers to and that was read for it.
 struct OtherFile {
   std::filesystem::path path;
   /// SHA-256 of its bytes, in hexadecimal digits.
   std::string sha256;
 };
 
-/// What stands in a file: finite coordinates in its own unit, and indices that are in range.
+/// The content of a file: finite coordinates in its own unit, and indices that are in range.
 struct Content {
   body::TriangleMesh mesh;
-  /// Centimetres per unit, where the format determines it.
+  /// Centimetres per unit, if the format determines it.
   std::optional<double> scale = {};
-  /// What was passed over.
+  /// Notes on ignored content.
   std::vector<std::string> notes = {};
   std::vector<OtherFile> others = {};
 };

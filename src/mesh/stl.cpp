@@ -18,14 +18,15 @@ namespace {
 
 constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
 
-/// How many triangles a binary file says that it has.
+/// Returns the number of triangles in the header of a binary file.
 std::uint64_t triangle_count(std::string_view bytes) { return number_at<std::uint32_t>(bytes, 80); }
 
 std::uint64_t expected_bytes(std::string_view bytes) {
   return header_bytes + triangle_bytes * triangle_count(bytes);
 }
 
-/// The vertices in a record: 12 bytes of normal, 3 of 12 bytes, and 2 of attributes.
+/// Reads the vertices of a record, which consists of a normal of 12 bytes, three vertices of 12
+/// bytes each, and 2 bytes of attributes.
 void read_record(std::string_view bytes, std::size_t triangle, body::TriangleMesh& mesh) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t at = header_bytes + triangle_bytes * triangle + 12 * (k + 1);
@@ -55,7 +56,8 @@ Content read_binary(const Source& source) {
   return content;
 }
 
-/// The next word of the line, a keyword, which some programs write in capitals.
+/// Returns the next word of the line in lower case, because some programs write keywords in
+/// capitals.
 std::string keyword(Lines& lines) {
   std::string word(lines.word());
   std::ranges::transform(word, word.begin(),
@@ -101,7 +103,7 @@ class TextReader {
     mesh_.triangles.push_back({first, first + 1, first + 2});
   }
 
-  /// Goes to the next line that is not empty, and takes its first word.
+  /// Advances to the next line that is not empty and reads its first word.
   bool next_line() {
     while (lines_.next()) {
       keyword_ = keyword(lines_);
@@ -133,7 +135,7 @@ class TextReader {
   body::TriangleMesh mesh_;
 };
 
-/// Whether the first lines are those of a text file: "solid" and a name, then "facet" or
+/// Returns whether the file begins as a text file: "solid" and a name, then a line with "facet" or
 /// "endsolid".
 bool begins_as_text(std::string_view bytes) {
   Lines lines("", bytes.substr(0, 4096));
@@ -145,7 +147,8 @@ bool begins_as_text(std::string_view bytes) {
   return false;
 }
 
-/// Whether it begins with "solid" and nothing but text, as no binary header with a number does.
+/// Returns whether the file begins with "solid" and has no NUL in its first bytes, unlike a binary
+/// file, whose triangle count contains one.
 bool is_text(std::string_view bytes) {
   Lines lines("", bytes);
   return lines.next() && keyword(lines) == "solid" &&

@@ -9,20 +9,20 @@
 namespace twrench::mesh {
 namespace {
 
-/// One triangle's side of an edge, among those whose lesser vertex is the same.
+/// One triangle's side of an edge. Sides are grouped by the edge's lesser vertex.
 struct Side {
   std::uint32_t greater;  ///< The edge's greater vertex.
-  /// Twice the triangle, and 1 more if it runs from the greater vertex to the lesser one.
+  /// Twice the triangle's index, plus 1 if it runs from the greater vertex to the lesser one.
   std::uint32_t triangle_and_direction;
 
   std::uint32_t triangle() const { return triangle_and_direction / 2; }
   bool is_backward() const { return triangle_and_direction % 2 != 0; }
 };
 
-/// The sides of all edges, those of each lesser vertex together.
+/// The sides of all edges, grouped by lesser vertex.
 struct Sides {
   std::vector<Side> sides;
-  std::vector<std::uint32_t> end;  ///< Behind the sides of each vertex.
+  std::vector<std::uint32_t> end;  ///< Index past the last side of each vertex.
 };
 
 void for_each_side(const body::TriangleMesh& mesh, auto&& use) {
@@ -35,13 +35,13 @@ void for_each_side(const body::TriangleMesh& mesh, auto&& use) {
   }
 }
 
-/// Sorts the sides by their lesser vertices, by counting.
+/// Sorts the sides by lesser vertex with a counting sort.
 Sides sorted_sides(const body::TriangleMesh& mesh) {
   Sides sorted{std::vector<Side>(3 * mesh.triangles.size()),
                std::vector<std::uint32_t>(mesh.vertices.size() + 1)};
   for_each_side(mesh, [&](std::uint32_t lesser, const Side&) { ++sorted.end[lesser + 1]; });
   for (std::size_t i = 1; i < sorted.end.size(); ++i) sorted.end[i] += sorted.end[i - 1];
-  // What begins behind the vertices before ends, once filled, behind this one.
+  // end[v] is the index at which the sides of v begin. Filling moves it past their end.
   for_each_side(mesh, [&](std::uint32_t lesser, const Side& side) {
     sorted.sides[sorted.end[lesser]++] = side;
   });
@@ -53,7 +53,7 @@ class EdgeReader {
  public:
   explicit EdgeReader(const body::TriangleMesh& mesh) : sets_(mesh.triangles.size()) {}
 
-  /// Takes the triangles at an edge into account.
+  /// Adds the triangles at an edge.
   void add(std::uint32_t lesser, std::span<const Side> sides) {
     const auto backward =
         static_cast<std::size_t>(std::ranges::count_if(sides, &Side::is_backward));
@@ -69,7 +69,7 @@ class EdgeReader {
     if (sides.size() > 2) found_.branching.push_back(edge);
   }
 
-  /// Returns all that was found.
+  /// Numbers the components and returns the topology.
   Topology finish() {
     found_.component.resize(sets_.size());
     for (std::uint32_t i = 0; i < sets_.size(); ++i) {

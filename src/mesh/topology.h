@@ -9,26 +9,26 @@
 
 namespace twrench::mesh {
 
-/// An edge as one of its triangles runs along it, from vertex to vertex.
+/// An edge in the direction of one of its triangles, from vertex to vertex.
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
 /// How the triangles of a mesh meet at their edges.
 struct Topology {
-  /// Edges of one triangle alone, each as that runs along it.
+  /// Edges of only one triangle, in the direction of that triangle.
   std::vector<DirectedEdge> open;
   /// Edges of more than two triangles.
   std::vector<DirectedEdge> branching;
   /// Edges along which two triangles run in the same direction.
   std::vector<DirectedEdge> opposed;
-  /// Edges along which not as many triangles run in one direction as in the other.
+  /// Edges along which the numbers of triangles in the two directions differ.
   std::size_t unbalanced = 0;
-  /// The component of each triangle, from 0 in the order of their first triangles; triangles at an
-  /// edge are in one.
+  /// The component of each triangle. Triangles that share an edge are in the same component.
+  /// Components are numbered from 0 in the order of their first triangles.
   std::vector<std::uint32_t> component;
   std::size_t components = 0;
 };
 
-/// Returns how the triangles meet; vertices that coincide must be one.
+/// Returns how the triangles meet. Coincident vertices must already be joined.
 Topology topology(const body::TriangleMesh& mesh);
 
 }  // namespace twrench::mesh

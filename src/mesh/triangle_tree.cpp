@@ -16,7 +16,7 @@ using Eigen::Vector3f;
 
 constexpr std::size_t leaf_size = 4;
 
-/// The lower ten bits of a number, each three places from the next.
+/// Spreads the lower ten bits of a number, so that there are two zeros between neighbours.
 std::uint32_t spread_bits(std::uint32_t x) {
   x = (x | x << 16U) & 0x030000FFU;
   x = (x | x << 8U) & 0x0300F00FU;
@@ -24,7 +24,7 @@ std::uint32_t spread_bits(std::uint32_t x) {
   return (x | x << 2U) & 0x09249249U;
 }
 
-/// Where a point lies along a curve that fills the box (G. M. Morton, 1966).
+/// Returns the position of a point on Morton's curve through the box (G. M. Morton, 1966).
 std::uint32_t place_on_curve(const AlignedBox3f& box, const Vector3f& point) {
   constexpr float least = std::numeric_limits<float>::min();
   const Vector3f scaled = 1023.0F * (point - box.min()).cwiseQuotient(box.sizes().cwiseMax(least));
@@ -38,7 +38,7 @@ struct Keyed {
   std::uint32_t key, index;
 };
 
-/// Sorts by 30-bit keys; equal ones keep their order.
+/// Sorts stably by 30-bit keys.
 void sort_by_key(std::vector<Keyed>& items) {
   std::vector<Keyed> other(items.size());
   constexpr std::uint32_t digit = 1024;

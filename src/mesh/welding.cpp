@@ -21,11 +21,11 @@ using Eigen::Vector3d;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// The indices of points, found by hashes of the points. Its slots fill no more than half.
+/// A hash table of the indices of points. At most half of its slots are used.
 class PointTable {
  public:
-  /// Returns the first index with this hash, or one near it in the table, that `is_it` accepts; or
-  /// `none`. It is asked about others as well.
+  /// Returns the first index with this hash that `is_it` accepts, or `none`. `is_it` is also called
+  /// for neighbours in the table with other hashes.
   template <typename Predicate>
   std::uint32_t find(std::uint64_t hash, Predicate is_it) const {
     for (std::size_t at = slot(hash); slots_[at] != none; at = (at + 1) & (slots_.size() - 1)) {
@@ -34,7 +34,7 @@ class PointTable {
     return none;
   }
 
-  /// Adds an index; `hash_of` gives the hash of each index.
+  /// Adds an index; `hash_of` returns the hash of any index.
   template <typename Hash>
   void insert(std::uint32_t index, Hash hash_of) {
     if (2 * ++count_ > slots_.size()) grow(hash_of);
@@ -74,8 +74,8 @@ std::uint64_t hash_of(const Vector3d& point) {
   return hash;
 }
 
-/// Makes vertices that coincide one, and keeps those that triangles refer to, in the order in which
-/// they do.
+/// Joins coincident vertices, and keeps only those that triangles refer to, in the order of first
+/// use.
 void join_equal(TriangleMesh& mesh) {
   PointTable table;
   TriangleMesh joined;
@@ -103,8 +103,8 @@ void join_equal(TriangleMesh& mesh) {
   mesh.colors = std::move(joined.colors);
 }
 
-/// The vertices that are no farther apart than the tolerance, from one to the next, as sets. Only
-/// vertices in adjacent cells of a grid can be. Throws InvalidArgument where too many are.
+/// Returns sets of vertices that are connected by distances within the tolerance. Only vertices in
+/// adjacent cells of a grid can be that close. Throws InvalidArgument if too many are.
 DisjointSets near_ones(const TriangleMesh& mesh, double tolerance) {
   const auto cell = [&](const Vector3d& point) -> Vector3d {
     return (point / tolerance).array().floor();
@@ -125,7 +125,7 @@ DisjointSets near_ones(const TriangleMesh& mesh, double tolerance) {
       allowance.take(compared);
     }
     if (allowance.is_used_up()) {
-      throw InvalidArgument("weld", "too many vertices are closer to each other",
+      throw InvalidArgument("weld", "too many vertices are within the tolerance of each other",
                             "take a smaller one");
     }
     table.insert(i, [&](std::uint32_t index) { return hash_of(cell(mesh.vertices[index])); });
@@ -133,7 +133,7 @@ DisjointSets near_ones(const TriangleMesh& mesh, double tolerance) {
   return sets;
 }
 
-/// Joins the sets, each at its first vertex. Returns how many vertices that leaves out.
+/// Joins each set at its first vertex. Returns the number of vertices removed.
 std::size_t join(TriangleMesh& mesh, DisjointSets&& sets) {
   std::size_t joined = 0;
   for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {

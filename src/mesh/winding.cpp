@@ -15,11 +15,11 @@ using Eigen::Vector3d;
 /// How a ray meets a triangle.
 enum class Hit { nothing, from_inside, from_outside, unclear };
 
-/// A half-line, none of whose components is 0.
+/// A half-line. No component of its direction is 0.
 struct Ray {
   Vector3d origin, direction;
 
-  /// The origin is in the frame of the box.
+  /// Returns whether the ray intersects a box, which is in the same frame.
   bool meets(const Eigen::AlignedBox3d& box) const {
     double begin = 0.0, end = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -34,7 +34,7 @@ struct Ray {
   Hit hit(const std::array<Vector3d, 3>& corners) const {
     const Vector3d a = corners[0] - origin, b = corners[1] - origin, c = corners[2] - origin;
     const double size = std::max({a.norm(), b.norm(), c.norm()});
-    // It passes on the same side of all edges, or misses the triangle.
+    // Unless the ray passes on the same side of all edges, it misses the triangle.
     const Vector3d sides(direction.dot(a.cross(b)), direction.dot(b.cross(c)),
                          direction.dot(c.cross(a)));
     const double round_off = 4e-15 * size * size;
@@ -49,7 +49,7 @@ struct Ray {
   }
 };
 
-/// The sum over all triangles that the ray meets; nothing where one of them is met unclearly.
+/// Returns the sum over all triangles that the ray hits; nothing if one of the hits is unclear.
 std::optional<int> sum_along(const TriangleTree& tree, const Ray& ray,
                              const std::function<bool(std::uint32_t)>& counts,
                              Allowance& allowance) {
@@ -87,7 +87,8 @@ std::optional<int> sum_along(const TriangleTree& tree, const Ray& ray,
 std::optional<int> winding_number(const TriangleTree& tree, const Vector3d& point,
                                   const std::function<bool(std::uint32_t)>& counts,
                                   Allowance& allowance) {
-  // Directions that no modeller's edge has, for one may still pass through an edge.
+  // Directions along which models are unlikely to have edges. There are several because a ray may
+  // still pass through an edge.
   static const std::array<Vector3d, 4> directions{{{0.8147, 0.1270, 0.5658},
                                                    {-0.3171, 0.9058, 0.2785},
                                                    {0.0975, -0.5469, 0.8314},

@@ -9,9 +9,9 @@
 
 namespace twrench::mesh {
 
-/// Returns how often the triangles that `counts` accepts wind around a point: 1 inside a closed
-/// surface, 0 outside; of several surfaces, the sum. Nothing where the point is on the surface.
-/// The work is taken from the allowance.
+/// Returns how often the triangles accepted by `counts` wind around a point: 1 inside a closed
+/// surface, 0 outside it, and the sum for several surfaces. Nothing if the point is on the surface.
+/// Deducts the work from the allowance.
 std::optional<int> winding_number(const TriangleTree& tree, const Eigen::Vector3d& point,
                                   const std::function<bool(std::uint32_t triangle)>& counts,
                                   Allowance& allowance);

@@ -7,11 +7,13 @@
 
 #include "base/parallel.h"
 #include "base/require.h"
+#include "motion/exact_solution.h"
 
 namespace twrench::motion {
 namespace {
 
-/// What a thread takes at once is worth that many samples; to prepare a body is worth some 50.
+/// The amount of work that a thread takes at a time, in samples. Preparing a body costs about as
+/// much as 50 samples.
 constexpr std::size_t samples_at_once = 16384, samples_per_body = 50;
 
 void require_count(const char* array, std::size_t size, std::size_t expected, const char* shape) {
@@ -20,12 +22,12 @@ void require_count(const char* array, std::size_t size, std::size_t expected, co
                         fmt::format("has {} numbers, but must have {}: {}", size, expected, shape));
 }
 
-/// Returns a part of an array; nothing of an array that is left out.
+/// Returns a part of an array; an empty span if the array is empty.
 std::span<double> part_of(std::span<double> array, std::size_t first, std::size_t count) {
   return array.empty() ? array : array.subspan(first, count);
 }
 
-/// The bodies of the two arrays.
+/// The bodies given by the two arrays.
 class Bodies {
  public:
   Bodies(std::span<const double> inertia, std::span<const double> omega)
@@ -47,10 +49,10 @@ class Bodies {
 
   std::size_t size() const { return omega_.size() / 3; }
 
-  ExactMotion motion(std::size_t i) const {
+  ExactSolution motion(std::size_t i) const {
     const Eigen::Vector3d moments(&inertia_[alike_ ? 0 : 3 * i]), omega(&omega_[3 * i]);
     try {
-      return ExactMotion(FreeBody(moments.asDiagonal(), omega));
+      return ExactSolution(FreeBody(moments.asDiagonal(), omega));
     } catch (const InvalidArgument& refused) {
       const std::string why = std::string(refused.what()).substr(refused.quantity().size() + 2);
       throw InvalidArgument(fmt::format("{}[{}]", refused.quantity(), i), why);
@@ -81,7 +83,7 @@ void exact_many(const ManyBodies& many, std::span<const double> times, const Man
     require_count("samples.omega", omega.size(), 3 * samples, "3 for each body and time");
   }
   if (samples == 0) return;
-  // A body with many times is work for several threads, which prepare it each for itself.
+  // A body with many times is shared by several threads, each of which prepares it separately.
   const std::size_t stretch = std::min(m, samples_at_once), stretches = (m + stretch - 1) / stretch;
   const std::size_t grain =
       std::max<std::size_t>(1, samples_at_once / (stretch + samples_per_body));

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <twrench/motion/exact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +8,12 @@
 #include "base/require.h"
 #include "math/elementary.h"
 #include "math/elliptic_series.h"
+#include "motion/exact_solution.h"
 
 namespace twrench::motion {
 namespace {
 
-/// Samples that take some 100 us: for fewer a thread is not worth its start.
+/// This many samples take about 100 us. For fewer, starting a thread does not pay.
 constexpr std::size_t samples_per_part = 16384;
 
 /// The direction of the body momentum, mu = m/G = (a, b, c), and the quaternion of Rot(e_a, psi) P,
@@ -37,11 +37,11 @@ void require_size(const char* quantity, std::size_t size, std::size_t samples, s
 
 }  // namespace
 
-/// Evaluates samples. One alone and those of a block come from the same operations, which the
-/// compiler puts into vector registers (or not) without changing a bit.
-struct ExactMotion::Samples {
-  /// Consecutive samples, few enough for the nearest cache; number by number, so that those of one
-  /// kind fill a register.
+/// Evaluates samples. A single sample and those of a block are computed by the same operations. The
+/// compiler may vectorise them without changing a bit.
+struct ExactSolution::Samples {
+  /// Consecutive samples as a structure of arrays, so that numbers of one kind fill a register. Few
+  /// enough for the nearest cache.
   struct Block {
     static constexpr std::size_t capacity = 64;
     std::size_t size;
@@ -54,7 +54,7 @@ struct ExactMotion::Samples {
                                           double t) {
     const double a = orbit.amplitude[0] * v.dn, b = orbit.amplitude[1] * v.sn,
                  c = orbit.amplitude[2] * v.cn;
-    // A multiple of exp(i psi/2), eq. (E7), times P, eq. (E5).
+    // re and im are a multiple of exp(i psi/2), eq. (E7), which multiplies P, eq. (E5).
     const auto [sin, cos] = elementary::sincos_quarter_turns(orbit.quarter_turns * t +
                                                              v.angle * (2 * std::numbers::inv_pi));
     const double re = cos * v.re - sin * v.im, im = sin * v.re + cos * v.im;
@@ -84,7 +84,7 @@ struct ExactMotion::Samples {
   template <class Series>
   [[gnu::always_inline]] static void fill(const Orbit& constants, Block& block,
                                           const Series& series) {
-    const Orbit orbit = constants;  // so that it is seen not to be part of the block
+    const Orbit orbit = constants;  // a copy, which cannot alias the block
     for (std::size_t i = 0; i < block.size; ++i) {
       const double t = block.t[i];
       const Place p = place(orbit, series(orbit.jacobi, orbit.rate * t + orbit.phase), t);
@@ -110,8 +110,8 @@ struct ExactMotion::Samples {
     }
   }
 
-  // One for each width of registers. None may fuse a multiplication with an addition: the bits are
-  // the same on every processor.
+  // One function per register width. None may fuse a multiplication with an addition, so that the
+  // bits are the same on every processor.
   static void fill_baseline(const Orbit& orbit, Block& block) { fill(orbit, block); }
 #ifdef __x86_64__
   [[gnu::target("avx2")]] static void fill_256(const Orbit& orbit, Block& block) {
@@ -138,12 +138,12 @@ struct ExactMotion::Samples {
   }
 };
 
-ExactMotion::Quaternion ExactMotion::turn_at_start(const Orbit& orbit) {
+so3::Quaternion ExactSolution::turn_at_start(const Orbit& orbit) {
   const Turn start = Samples::turn(orbit, orbit.jacobi.at(orbit.phase), 0);
   return {start.w, start.x, start.y, start.z};
 }
 
-Sample ExactMotion::at(double t) const {
+Sample ExactSolution::at(double t) const {
   require_finite("t", t);
   if (t == 0) return {t, start_.X, start_.omega};
   const Place p = Samples::place(orbit_, orbit_.jacobi.at(orbit_.rate * t + orbit_.phase), t);
@@ -152,10 +152,10 @@ Sample ExactMotion::at(double t) const {
   return sample;
 }
 
-/// Calls `write(first, block)` for blocks that hold the samples from the index `first` on.
+/// Calls `write(first, block)` for each block; `first` is the index of its first sample.
 template <class Write>
-void ExactMotion::for_each_block(std::span<const double> times, unsigned threads,
-                                 const Write& write) const {
+void ExactSolution::for_each_block(std::span<const double> times, unsigned threads,
+                                   const Write& write) const {
   static const Samples::Fill fill = Samples::widest_fill();
   for_each_part(times.size(), samples_per_part, threads, [&](std::size_t begin, std::size_t end) {
     Samples::Block block;
@@ -171,8 +171,8 @@ void ExactMotion::for_each_block(std::span<const double> times, unsigned threads
   });
 }
 
-void ExactMotion::at(std::span<const double> times, std::span<double> X, std::span<double> omega,
-                     unsigned threads) const {
+void ExactSolution::at(std::span<const double> times, std::span<double> X, std::span<double> omega,
+                       unsigned threads) const {
   require_finite("times", times);
   if (!X.empty()) require_size("X", X.size(), times.size(), 9);
   if (!omega.empty()) require_size("omega", omega.size(), times.size(), 3);
@@ -202,7 +202,7 @@ void ExactMotion::at(std::span<const double> times, std::span<double> X, std::sp
   }
 }
 
-std::vector<Sample> ExactMotion::at(std::span<const double> times, unsigned threads) const {
+std::vector<Sample> ExactSolution::at(std::span<const double> times, unsigned threads) const {
   require_finite("times", times);
   std::vector<Sample> samples(times.size());
   for_each_block(times, threads, [&](std::size_t first, const Samples::Block& block) {
@@ -214,23 +214,6 @@ std::vector<Sample> ExactMotion::at(std::span<const double> times, unsigned thre
     }
   });
   return samples;
-}
-
-Eigen::Matrix3d attitude_at(std::span<const double> X, std::size_t index) {
-  const std::size_t count = X.size() / 9;
-  if (index >= count) {
-    throw OutOfRange("index", fmt::format("is {}, but there are {} attitudes", index, count),
-                     {double(index), 0, double(count) - 1});
-  }
-  const double* x = &X[9 * index];
-  Eigen::Matrix3d attitude;
-  attitude << x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7], x[8];
-  return attitude;
-}
-
-FreeBody exact_step(const FreeBody& body, double h) {
-  const Sample end = ExactMotion(body).at(h);
-  return body.with_start(end.omega, end.X);
 }
 
 }  // namespace twrench::motion

@@ -21,8 +21,8 @@ constexpr Tableau kutta{.stages = 4,
                         .a = {{{}, {1.0 / 2}, {0.0, 1.0 / 2}, {0.0, 0.0, 1.0}}},
                         .weights = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
 
-/// Fehlberg's pair, eq. (39). The 4th-order row is carried on; the error estimate compares it with
-/// the 5th-order row.
+/// Fehlberg's pair, eq. (39). The 4th-order row advances the solution; the error estimate compares
+/// it with the 5th-order row.
 constexpr Tableau fehlberg{
     .stages = 6,
     .order = 4,

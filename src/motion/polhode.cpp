@@ -6,31 +6,26 @@
 #include <numbers>
 
 #include "base/require.h"
+#include "body/ascending_moments.h"
 
 namespace twrench::motion {
 namespace {
 
+using body::PrincipalAxes;
 using Eigen::Vector3d;
 
-/// Relative difference below which two moments count as equal: the picture cannot show it.
+/// Relative difference below which two moments count as equal, because a picture cannot show it.
 constexpr double alike = 1e-9;
 
 bool differ(double a, double b) { return b - a > alike * b; }
 
-void check(const Vector3d& moments) {
-  for (const double moment : moments) require_positive("moments", moment);
-  if (moments[0] <= moments[1] && moments[1] <= moments[2]) return;
-  throw InvalidArgument("moments", "must be ascending");
-}
-
 void check(const EnergyLevel& level) {
-  check(level.moments);
+  body::require_ascending_moments(level.moments);
   if (!differ(level.moments[0], level.moments[2])) {
     throw InvalidArgument("moments", "must not all be equal");
   }
-  if (level.axis != 0 && level.axis != 2) {
-    throw OutOfRange("axis", fmt::format("is {}, but must be 0 or 2", level.axis),
-                     {double(level.axis), 0, 2});
+  if (level.axis != PrincipalAxes::least && level.axis != PrincipalAxes::greatest) {
+    throw InvalidArgument("axis", "must be the axis of least or of greatest moment");
   }
   if (level.side != 1 && level.side != -1) {
     throw OutOfRange("side", fmt::format("is {}, but must be 1 or -1", level.side),
@@ -43,7 +38,7 @@ void check(const EnergyLevel& level) {
                    {level.energy, least, greatest});
 }
 
-/// a / b, clamped to [0, 1] against rounding; 0 if both vanish.
+/// Returns a / b, clamped to [0, 1] against rounding; 0 if both vanish.
 double share(double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0; }
 
 }  // namespace
@@ -72,8 +67,8 @@ bool EnergyLevel::is_separatrix() const {
 }
 
 std::optional<EnergyLevel> level_through(const Vector3d& moments, const Vector3d& mu) {
-  check(moments);
-  for (const double component : mu) require_finite("mu", component);
+  body::require_ascending_moments(moments);
+  require_finite_entries("mu", mu);
   if (!(std::abs(mu.squaredNorm() - 1) < alike)) {
     throw InvalidArgument("mu", "must be a unit vector");
   }
@@ -81,17 +76,17 @@ std::optional<EnergyLevel> level_through(const Vector3d& moments, const Vector3d
   const double energy = (mu.array().square() / moments.array()).sum();
   const bool about_least = differ(moments[0], moments[1]) &&
                            (energy * moments[1] > 1 || !differ(moments[1], moments[2]));
-  const int axis = about_least ? 0 : 2;
+  const PrincipalAxes::Axis axis = about_least ? PrincipalAxes::least : PrincipalAxes::greatest;
   return EnergyLevel{moments, energy, axis, std::copysign(1.0, mu[axis])};
 }
 
 std::vector<EnergyLevel> level_family(const Vector3d& moments, int count) {
-  check(moments);
+  body::require_ascending_moments(moments);
   require_not_negative("count", count);
   std::vector<EnergyLevel> levels;
   const Vector3d inverse = moments.cwiseInverse();
-  for (const int axis : {0, 2}) {
-    if (!differ(moments[std::min(axis, 1)], moments[std::max(axis, 1)])) continue;
+  for (const PrincipalAxes::Axis axis : {PrincipalAxes::least, PrincipalAxes::greatest}) {
+    if (!differ(moments[std::min<int>(axis, 1)], moments[std::max<int>(axis, 1)])) continue;
     for (int i = 1; i <= count; ++i) {
       const double sine = std::sin(std::numbers::pi / 2 * i / (count + 1));
       const double energy = inverse[axis] + sine * sine * (inverse[1] - inverse[axis]);
@@ -102,7 +97,7 @@ std::vector<EnergyLevel> level_family(const Vector3d& moments, int count) {
 }
 
 std::optional<std::array<Vector3d, 2>> separatrix(const Vector3d& moments) {
-  check(moments);
+  body::require_ascending_moments(moments);
   if (!differ(moments[0], moments[1]) || !differ(moments[1], moments[2])) return std::nullopt;
   const Vector3d inverse = moments.cwiseInverse();
   const double least = std::sqrt((inverse[1] - inverse[2]) / (inverse[0] - inverse[2]));

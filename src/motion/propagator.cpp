@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/require.h"
+#include "motion/interior_series.h"
 #include "motion/taylor.h"
 #include "motion/unchecked_stepper.h"
 
@@ -40,16 +41,16 @@ namespace {
 
 using Eigen::Matrix3d;
 
-// Sauer's step-size control, Numerical Analysis, section 6.5, with the usual bounds on the factor:
-// an estimate that happens to vanish must not make the step grow without limit, nor one bad step
-// make it collapse.
+// Sauer's step-size control, Numerical Analysis, section 6.5, with the usual bounds on the factor.
+// They keep the step from growing without limit if an estimate happens to vanish, and from
+// collapsing after one bad step.
 constexpr double safety = 0.8;
 constexpr double least_factor = 0.2;
 constexpr double largest_factor = 5.0;
 
 // Maximum length of an adaptive step in revolutions of the body. For constant omega the estimate
 // vanishes and would allow any step, but a step beyond one revolution cannot be distinguished from
-// a shorter one; dexpinv is singular at a full revolution.
+// a shorter one. dexpinv is also singular at a full revolution.
 constexpr double longest_part = 0.9;
 
 MotionError failure(const Method& method, MotionError::Reason reason, const std::string& why) {
@@ -75,11 +76,17 @@ MotionError underflow(const Method& method, const StepControl& control, double t
       fmt::format("the step underflows at t = {} s with tolerance {}", t, control.tolerance));
 }
 
-/// Throws where t lies before `start`, seen in the direction of `sign`.
+/// Throws if t lies before `start` in the direction of `sign`.
 void require_ahead(double t, double start, double sign) {
   require_finite("t", t);
   if (sign * t >= sign * start) return;
   throw InvalidArgument("t", fmt::format("is {} s, before the step that begins at {} s", t, start));
+}
+
+/// Returns the time in s of a turn. A rigid body is assumed to turn at its initial rate, any other
+/// at its fastest rate.
+double turn_of(const FreeBody& body) {
+  return 2.0 * std::numbers::pi / (body.is_rigid() ? body.omega().norm() : body.fastest_rate());
 }
 
 /// Advances through the method's accepted steps t_0 = 0, t_1, ... in the direction of `sign`.
@@ -92,7 +99,7 @@ class StepPropagator final : public Propagator::Engine {
   Sample sample_at(double t) override {
     require_ahead(t, t_, sign_);
     while (std::abs(t) > std::abs(t_next_)) advance();
-    if (t == 0) return {t, body_.attitude(), body_.omega()};
+    if (t == 0) return {t, body_.attitude(), body_.initial_rate()};
     const Matrix3d X = t == t_next_ ? X_next_ : fixed_step(t - t_);
     const Sample sample{t, X, unchecked::angular_velocity(body_, method_, X)};
     require_sane(sample);
@@ -120,7 +127,7 @@ class StepPropagator final : public Propagator::Engine {
     t_next_ = static_cast<double>(steps_) * next_length_;  // never accumulated
   }
 
-  /// Returns the end of a step of exactly that length from t_k.
+  /// Returns X at the end of a step of exactly this length from t_k.
   Matrix3d fixed_step(double length) {
     if (std::abs(length) > a_turn_) {
       throw failure(method_, MotionError::Reason::step_too_long,
@@ -131,7 +138,7 @@ class StepPropagator final : public Propagator::Engine {
     evaluations_ += step.evaluations;
     if (std::isfinite(step.error)) return step.X;
     throw failure(method_, MotionError::Reason::step_too_long,
-                  fmt::format("a step of {} s turns the body too far for it", length));
+                  fmt::format("a step of {} s is too long for this method", length));
   }
 
   double capped(double length) const {
@@ -144,7 +151,7 @@ class StepPropagator final : public Propagator::Engine {
     for (int attempt = 0;; ++attempt) {
       if (attempt > 0) require_allowed(++steps_, method_, control_, t_);
       const double t_end = t_ + length;
-      length = t_end - t_;  // As t can represent it, so that no time is lost to rounding.
+      length = t_end - t_;  // Rounded to what t can represent, so that no time is lost.
       if (!(std::abs(length) > 1e-15 * std::max(std::abs(t_), first_)))
         throw underflow(method_, control_, t_);
       const Step step = unchecked::take_step(body_, method_, X_, length);
@@ -163,7 +170,8 @@ class StepPropagator final : public Propagator::Engine {
     }
   }
 
-  /// For a method that leaves SO(3): beyond this bound, quantities computed from X would overflow.
+  /// Throws if X has diverged, as it may with a method that leaves SO(3). Beyond the bound,
+  /// quantities computed from X would overflow.
   void require_sane(const Sample& sample) const {
     constexpr double bound = 1e50;
     if ((sample.X.array().abs() < bound).all() && (sample.omega.array().abs() < bound).all())
@@ -176,7 +184,7 @@ class StepPropagator final : public Propagator::Engine {
   const Method method_;
   const StepControl control_;
   const double sign_;
-  const double a_turn_ = 2.0 * std::numbers::pi / body_.omega().norm();  ///< s; infinite at rest
+  const double a_turn_ = turn_of(body_);  ///< s; infinite at rest
   const double first_ = method_.adaptive() ? capped(control_.step) : control_.step;
   double next_length_;  ///< signed
   std::int64_t steps_ = 0;
@@ -186,7 +194,8 @@ class StepPropagator final : public Propagator::Engine {
   Matrix3d X_ = body_.attitude(), X_next_ = body_.attitude();
 };
 
-/// Goes from series to series: each serves all times as far as it reaches.
+/// Advances from series to series. Each series serves all times within its step.
+template <class Series>
 class TaylorPropagator final : public Propagator::Engine {
  public:
   TaylorPropagator(const FreeBody& body, const Method& method, const StepControl& control,
@@ -194,7 +203,7 @@ class TaylorPropagator final : public Propagator::Engine {
       : method_(method),
         control_(control),
         sign_(sign),
-        start_{0, body.attitude(), body.omega()},
+        start_{0, body.attitude(), body.initial_rate()},
         series_(body, std::get<Taylor>(method.scheme->kind)),
         state_next_(series_.state_of(body.attitude(), body.body_momentum())) {}
 
@@ -233,13 +242,13 @@ class TaylorPropagator final : public Propagator::Engine {
   const StepControl control_;
   const double sign_;
   const Sample start_;
-  TaylorSeries series_;
+  Series series_;
   std::int64_t steps_ = 0;
   double t_ = 0.0, t_next_ = 0.0;
-  TaylorSeries::State state_next_;
+  typename Series::State state_next_;
 };
 
-/// Goes to each time at once.
+/// Evaluates the closed form at each time.
 class ExactPropagator final : public Propagator::Engine {
  public:
   ExactPropagator(const FreeBody& body, double signed_step)
@@ -252,7 +261,7 @@ class ExactPropagator final : public Propagator::Engine {
   }
 
   std::vector<Sample> samples_at(std::span<const double> times) override {
-    for (const double t : times) require_finite("t", t);
+    require_finite_entries("t", times);
     evaluations_ += static_cast<std::int64_t>(times.size());
     return motion_.at(times);
   }
@@ -310,7 +319,11 @@ std::unique_ptr<Propagator> make_propagator(const FreeBody& body, const Method& 
   if (method.exact()) {
     engine = std::make_unique<ExactPropagator>(body, sign * control.step);
   } else if (std::holds_alternative<Taylor>(method.scheme->kind)) {
-    engine = std::make_unique<TaylorPropagator>(body, method, control, sign);
+    if (body.is_rigid()) {
+      engine = std::make_unique<TaylorPropagator<TaylorSeries>>(body, method, control, sign);
+    } else {
+      engine = std::make_unique<TaylorPropagator<InteriorSeries>>(body, method, control, sign);
+    }
   } else {
     engine = std::make_unique<StepPropagator>(body, method, control, sign);
   }

@@ -10,32 +10,25 @@ namespace twrench::motion {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-namespace {
-
-void require_finite_entries(const char* quantity, const Vector3d& vector) {
-  for (const double component : vector) require_finite(quantity, component);
-}
-
-void require_finite_entries(const char* quantity, const Matrix3d& matrix) {
-  for (const double entry : matrix.reshaped()) require_finite(quantity, entry);
-}
-
-}  // namespace
-
-Vector3d angular_acceleration(const FreeBody& body, const Vector3d& omega) {
-  require_finite_entries("omega", omega);
-  // In principal axes, where the difference of two moments is exact: where another is much smaller,
-  // that of I omega x omega would not be.
+Vector3d angular_acceleration(const FreeBody& body, const Sample& sample) {
+  require_finite_entries("omega", sample.omega);
+  require_finite_entries("X", sample.X);
+  if (!body.is_rigid()) {
+    const Vector3d m = sample.X.transpose() * body.momentum(), w = body.rigid_velocity(m);
+    const Vector3d m_dot = m.cross(body.turning_rate(m)), w_dot = body.inverse() * m_dot;
+    return w_dot + body.energy_loss() * (m_dot.cross(w) + m.cross(w_dot));
+  }
+  // Computed in principal axes, where differences of moments are accurate. If one moment is much
+  // smaller than the others, I omega x omega would lose digits by cancellation.
   const auto& [I, axes] = body.principal();
-  const Vector3d w = axes.transpose() * omega;
+  const Vector3d w = axes.transpose() * sample.omega;
   return axes * Vector3d((I[1] - I[2]) / I[0] * w[1] * w[2], (I[2] - I[0]) / I[1] * w[2] * w[0],
                          (I[0] - I[1]) / I[2] * w[0] * w[1]);
 }
 
 RotatingFrame body_frame(const FreeBody& body, const Sample& sample) {
-  require_finite_entries("X", sample.X);
-  return {so3::Quaternion(sample.X).normalized().toRotationMatrix(), sample.omega,
-          angular_acceleration(body, sample.omega)};
+  const Vector3d alpha = angular_acceleration(body, sample);
+  return {so3::Quaternion(sample.X).normalized().toRotationMatrix(), sample.omega, alpha};
 }
 
 RotatingFrame steady_frame(const FreeBody& body, double t) {
@@ -49,11 +42,10 @@ FrameForces::FrameForces(const RotatingFrame& frame, const FreeBody& body, const
     : frame_from_body_(frame.attitude.transpose() * sample.X),
       frame_(frame),
       omega_(frame_from_body_ * sample.omega),
-      alpha_(frame_from_body_ * angular_acceleration(body, sample.omega)) {
+      alpha_(frame_from_body_ * angular_acceleration(body, sample)) {
   require_finite_entries("attitude", frame.attitude);
   require_finite_entries("omega", frame.omega);
   require_finite_entries("alpha", frame.alpha);
-  require_finite_entries("X", sample.X);
 }
 
 PointForces FrameForces::on(double mass, const Vector3d& position) const {
@@ -61,7 +53,7 @@ PointForces FrameForces::on(double mass, const Vector3d& position) const {
   require_finite_entries("position", position);
   const auto& [attitude, Omega, Omega_dot] = frame_;
   const Vector3d r = frame_from_body_ * position;
-  // The body turns in the frame with u, whose derivative there is u'.
+  // The body's angular velocity in the frame is u, with the derivative u' there.
   const Vector3d u = omega_ - Omega;
   const Vector3d u_dot = alpha_ - Omega.cross(omega_) - Omega_dot;
   const Vector3d v = u.cross(r);

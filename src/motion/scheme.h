@@ -8,17 +8,17 @@
 
 namespace twrench::motion {
 
-/// Coefficients of the stages, from the first.
+/// Coefficients of the stages, starting with the first.
 using TableauRow = std::array<double, 6>;
 
 /// An explicit Runge-Kutta tableau of at most six stages.
 struct Tableau {
   int stages;                   ///< Number of stages in use.
-  int order;                    ///< in a linear space, of what is carried on; p in the step control
+  int order;                    ///< p, in a linear space, of the solution that is advanced
   std::array<TableauRow, 6> a;  ///< TableauRow k holds a_k1 to a_k(k-1).
-  TableauRow weights;           ///< Weights of the solution that is carried on.
-  TableauRow embedded{};  ///< Weights of the solution that the error estimate compares with it.
-  bool embedded_pair = false;  ///< Whether there are embedded weights, and so an error estimate.
+  TableauRow weights;           ///< Weights of the solution that is advanced.
+  TableauRow embedded{};        ///< Weights of the other solution, for the error estimate.
+  bool embedded_pair = false;   ///< Whether there are embedded weights and thus an error estimate.
 };
 
 /// How a Runge-Kutta step maps the stage velocities to the group.
@@ -27,7 +27,7 @@ enum class Update {
   linear,
   /// W' = W exp(h sum b_k S_k) without commutators, sections 4.1 to 4.5.
   averaged,
-  /// The same with dexpinv of the stage velocities, which restores the tableau's order.
+  /// As `averaged`, but with dexpinv of the stage velocities, which restores the tableau's order.
   munthe_kaas,
 };
 
@@ -66,19 +66,19 @@ struct ImplicitTrapezoid {
 /// reverse order.
 struct StrangSplitting {};
 
-/// The highest order for which TaylorSeries has room.
+/// The highest order that a Taylor series may have.
 inline constexpr std::size_t max_taylor_order = 30;
 
-/// The Taylor series of the motion, motion/taylor.h; its last terms determine the step size.
+/// The Taylor series of the motion, motion/taylor.h. Its last terms determine the step size.
 struct Taylor {
   /// Highest order of the series.
   int order;
 };
 
-/// The exact solution, motion/exact.h; a step of it may have any size.
+/// The exact solution, motion/exact.h. Its steps may have any size.
 struct ClosedForm {};
 
-/// How a method gets from one time to another.
+/// The algorithm that takes a method from one time to another.
 struct Scheme {
   std::variant<RungeKutta, CommutatorFree, ImplicitTrapezoid, StrangSplitting, Taylor, ClosedForm>
       kind;

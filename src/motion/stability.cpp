@@ -1,30 +1,31 @@
-#include <fmt/format.h>
 #include <twrench/motion/stability.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/require.h"
+#include "body/ascending_moments.h"
 
 namespace twrench::motion {
 
+using body::PrincipalAxes;
 using Eigen::Vector3d;
 
 double Stability::doubling_time() const { return std::numbers::ln2 / rate; }
 double Stability::period() const { return 2 * std::numbers::pi / rate; }
 
-Stability stability(const Vector3d& moments, int axis, double omega) {
-  for (const double moment : moments) require_positive("moments", moment);
-  if (axis < 0 || axis > 2) {
-    throw OutOfRange("axis", fmt::format("is {}, but must be 0, 1 or 2", axis),
-                     {double(axis), 0, 2});
+Stability stability(const Vector3d& moments, PrincipalAxes::Axis axis, double omega) {
+  body::require_ascending_moments(moments);
+  if (std::ranges::find(PrincipalAxes::all, axis) == PrincipalAxes::all.end()) {
+    throw InvalidArgument("axis", "must be the axis of least, intermediate or greatest moment");
   }
   require_finite("omega", omega);
   const double I = moments[axis], J = moments[(axis + 1) % 3], K = moments[(axis + 2) % 3];
   const double square = (I - J) / J * ((I - K) / K);  // of a wobble's frequency over omega
   const double rate = std::abs(omega) * std::sqrt(std::abs(square));
-  // Moments of parts are known to round-off: a difference of that size is none.
+  // Moments of parts are only known to round-off, so a difference of that size counts as zero.
   constexpr double same = 1e-12;
   const bool single = std::abs(I - J) > same * (I + J) && std::abs(I - K) > same * (I + K);
   if (!single || !(rate > 0)) return {};
@@ -35,31 +36,44 @@ Tilt::Tilt(const FreeBody& body)
     : moments_(body.principal().moments),
       axes_(body.principal().axes),
       momentum_from_omega_(body.principal().axes.transpose() * body.inertia()),
-      start_(momentum_from_omega_ * body.omega()) {
-  start_.cwiseAbs().maxCoeff(&axis_);
-  steady_rate_ = start_.stableNorm() / moments_[axis_];
+      start_(momentum_from_omega_ * body.omega()),
+      is_rigid_(body.is_rigid()),
+      momentum_(body.momentum()) {
+  const Vector3d wheel = axes_.transpose() * body.interior().wheel;
+  if (!is_rigid_) start_ += wheel;
+  std::size_t nearest = 0;
+  start_.cwiseAbs().maxCoeff(&nearest);
+  axis_ = PrincipalAxes::all[nearest];
+  const double along = std::copysign(start_.stableNorm(), start_[axis_]);
+  steady_rate_ = std::abs(along - wheel[axis_]) / moments_[axis_];
+}
+
+Vector3d Tilt::momentum(const Sample& sample) const {
+  require_finite_entries("omega", sample.omega);
+  if (is_rigid_) return momentum_from_omega_ * sample.omega;
+  require_finite_entries("X", sample.X);
+  return axes_.transpose() * (sample.X.transpose() * momentum_);
 }
 
 double Tilt::of(const Sample& sample) const {
-  for (const double component : sample.omega) require_finite("omega", component);
-  const Vector3d m = momentum_from_omega_ * sample.omega;
+  const Vector3d m = momentum(sample);
   const double across = std::hypot(m[(axis_ + 1) % 3], m[(axis_ + 2) % 3]);
   return std::atan2(across, std::abs(m[axis_]));
 }
 
 Vector3d Tilt::direction(const Sample& sample) const {
-  for (const double component : sample.omega) require_finite("omega", component);
-  const Vector3d m = momentum_from_omega_ * sample.omega;
+  const Vector3d m = momentum(sample);
   const Vector3d nearer_end = std::copysign(1.0, m[axis_]) * Vector3d::Unit(axis_);
   return axes_ * m.cross(nearer_end).stableNormalized();
 }
 
 std::optional<Tilt::Growth> Tilt::growth() const {
+  if (!is_rigid_) return std::nullopt;
   const auto [kind, rate] = stability(moments_, axis_, steady_rate_);
   if (kind != Stability::Kind::unstable) return std::nullopt;
   const int i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
-  // m_i' = a m_j and m_j' = b m_i, with a b = rate^2: the part of (m_i, m_j) that grows is along
-  // (a, rate).
+  // m_i' = a m_j and m_j' = b m_i, with a b = rate^2. The growing part of (m_i, m_j) is along (a,
+  // rate).
   const double spin = std::copysign(start_.stableNorm(), start_[axis_]);
   const double a = spin * (1 / moments_[axis_] - 1 / moments_[j]);
   const double grown_i = (start_[i] + a / rate * start_[j]) / 2;

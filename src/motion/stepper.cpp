@@ -1,5 +1,4 @@
 #include <twrench/math/so3.h>
-#include <twrench/motion/exact.h>
 
 #include <array>
 #include <cmath>
@@ -7,7 +6,10 @@
 
 #include "base/require.h"
 #include "math/so3_formulas.h"
+#include "motion/exact_solution.h"
+#include "motion/interior_series.h"
 #include "motion/taylor.h"
+#include "motion/unchecked_rate.h"
 #include "motion/unchecked_stepper.h"
 
 namespace twrench::motion {
@@ -16,28 +18,29 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// rad. dexpinv is singular at |u| = 2 pi and accurate below.
+/// In rad. dexpinv is singular at |u| = 2 pi and accurate up to this bound.
 constexpr double longest_turn = 6.0;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Stages = std::array<Vector3d, 6>;
 
-/// Zeros, so that no code path leaves a stage uninitialised: Eigen does not initialise its vectors.
+/// Returns zeros, so that no code path leaves a stage uninitialised. Eigen does not initialise its
+/// vectors.
 Stages zero_stages() {
   Stages s;
   s.fill(Vector3d::Zero());
   return s;
 }
 
-/// The sum of row[j] * s[j] over the first `count` stages.
+/// Returns the sum of row[j] * s[j] over the first `count` stages.
 Vector3d weighted_sum(const TableauRow& row, const Stages& s, int count) {
   Vector3d sum = row[0] * s[0];
   for (std::size_t j = 1; j < static_cast<std::size_t>(count); ++j) sum += row[j] * s[j];
   return sum;
 }
 
-/// exp(-hat(u)) m: the body momentum m after the body has rotated by exp(hat(u)).
+/// Returns exp(-hat(u)) m, the body momentum m after the body has rotated by exp(hat(u)).
 Vector3d turned_back(const Vector3d& u, const Vector3d& m) {
   return so3::Formulas::exp_times(so3::Formulas::angle_functions(u), -u, m);
 }
@@ -53,12 +56,12 @@ Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, dou
   const Tableau& tableau = method.tableau;
   const Vector3d momentum = body_momentum(body, method.update == Update::linear, X);
   Stages s = zero_stages();
-  s[0] = body.inverse() * momentum;
+  s[0] = unchecked::turning_rate(body, momentum);
   for (int k = 1; k < tableau.stages; ++k) {
     const auto row = static_cast<std::size_t>(k);
     const Vector3d u = h * weighted_sum(tableau.a[row], s, k);
     const so3::AngleFunctions f = so3::Formulas::angle_functions(u);
-    s[row] = body.inverse() * so3::Formulas::exp_times(f, -u, momentum);
+    s[row] = unchecked::turning_rate(body, so3::Formulas::exp_times(f, -u, momentum));
     if (method.update != Update::munthe_kaas) continue;
     if (!(u.squaredNorm() < longest_turn * longest_turn)) return {X, infinite, k + 1};
     s[row] = so3::Formulas::dexpinv(f, u, s[row]);
@@ -75,13 +78,13 @@ Step step(const FreeBody& body, const RungeKutta& method, const Matrix3d& X, dou
 Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X, double h) {
   const Vector3d momentum = body_momentum(body, false, X);
   Stages s = zero_stages();
-  s[0] = body.inverse() * momentum;
+  s[0] = unchecked::turning_rate(body, momentum);
   for (int k = 1; k < method.stages; ++k) {
     Vector3d m = momentum;
     for (const TableauRow& row : method.stage[static_cast<std::size_t>(k)]) {
       m = turned_back(h * weighted_sum(row, s, k), m);
     }
-    s[static_cast<std::size_t>(k)] = body.inverse() * m;
+    s[static_cast<std::size_t>(k)] = unchecked::turning_rate(body, m);
   }
   Matrix3d end = X;
   for (const TableauRow& row : method.update)
@@ -90,7 +93,8 @@ Step step(const FreeBody& body, const CommutatorFree& method, const Matrix3d& X,
 }
 
 /// Solves m1 = exp(-h hat(w)) m0, w = I^-1 (m0 + m1)/2 to round-off by fixed-point iteration. The
-/// energy is conserved: 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the rotation is about w.
+/// energy is conserved, 2 (T1 - T0) = 2 (m1 - m0) . w = 0, because the rotation is about w. The
+/// same holds with a wheel, where w = I^-1 ((m0 + m1)/2 - h). Energy loss adds its term to w.
 Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d& X, double h) {
   constexpr int most_iterations = 100;
   Vector3d m0 = body_momentum(body, false, X);
@@ -101,7 +105,7 @@ Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d&
     Vector3d m1 = m0, u = Vector3d::Zero();
     double change = infinite, before = infinite;
     for (int n = 0; n < most_iterations && change > 0.0; ++n) {
-      u = part * (body.inverse() * (0.5 * (m0 + m1)));
+      u = part * unchecked::turning_rate(body, 0.5 * (m0 + m1));
       const Vector3d next = turned_back(u, m0);
       before = change;
       change = (next - m1).norm();
@@ -116,36 +120,53 @@ Step step(const FreeBody& body, const ImplicitTrapezoid& method, const Matrix3d&
   return {end, 0.0, evaluations};
 }
 
+/// Applies only the energy loss, m' = m x (a m x w), by the midpoint rule.
+Vector3d lose_energy(const FreeBody& body, double h, Matrix3d& X, const Vector3d& m) {
+  const auto slip = [&](const Vector3d& at) {
+    return Vector3d(body.energy_loss() * at.cross(unchecked::rigid_velocity(body, at)));
+  };
+  const Vector3d u = h * slip(turned_back(0.5 * h * slip(m), m));
+  X *= so3::Formulas::exp(u);
+  return turned_back(u, m);
+}
+
+/// With a wheel the energy is the sum of (m_i - h_i)^2/(2 I_i), whose flows are also rotations.
+/// With energy loss, the step begins and ends with half a step of the loss.
 Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, double h) {
   constexpr std::array<std::pair<int, double>, 5> turns{
       {{0, 0.5}, {1, 0.5}, {2, 1.0}, {1, 0.5}, {0, 0.5}}};
   Vector3d m = body_momentum(body, false, X);
   Matrix3d end = X;
+  const bool loses = body.energy_loss() > 0;
+  if (loses) m = lose_energy(body, 0.5 * h, end, m);
   for (const auto& [axis, fraction] : turns) {
     const Vector3d a = body.principal().axes.col(axis);
-    const Vector3d u = (fraction * h * a.dot(m) / body.principal().moments[axis]) * a;
+    const double along = a.dot(m) - a.dot(body.interior().wheel);
+    const Vector3d u = (fraction * h * along / body.principal().moments[axis]) * a;
     m = turned_back(u, m);
     end *= so3::Formulas::exp(u);
   }
-  return {end, 0.0, 5};
+  if (loses) lose_energy(body, 0.5 * h, end, m);
+  return {end, 0.0, loses ? 9 : 5};
 }
 
-Step step(const FreeBody& body, const Taylor& method, const Matrix3d& X, double h) {
-  TaylorSeries series(body, method);
-  series.expand(series.state_of(X, body_momentum(body, false, X)));
+template <class Series>
+Step step(Series series, const Vector3d& momentum, const Taylor& method, const Matrix3d& X,
+          double h) {
+  series.expand(series.state_of(X, momentum));
   return {series.sample(h, series.at(h)).X, series.last_terms(h), method.order};
 }
 
-/// The motion is autonomous: a step restarts it from the velocity at X.
-Step step(const FreeBody& body, const ClosedForm&, const Matrix3d& X, double h) {
-  const Vector3d omega = body.inverse() * body_momentum(body, false, X);
-  return {X * ExactMotion(FreeBody(body.inertia(), omega)).at(h).X, 0.0, 1};
+Step step(const FreeBody& body, const Taylor& method, const Matrix3d& X, double h) {
+  const Vector3d momentum = body_momentum(body, false, X);
+  return body.is_rigid() ? step(TaylorSeries(body, method), momentum, method, X, h)
+                         : step(InteriorSeries(body, method), momentum, method, X, h);
 }
 
-/// Throws OutOfRange unless all entries are finite. Their sum is, except where it overflows.
-void require_attitude(const Matrix3d& X) {
-  if (std::isfinite(X.sum())) return;
-  for (const double entry : X.reshaped()) require_finite("X", entry);
+/// The motion is autonomous, so a step restarts it from the velocity at X.
+Step step(const FreeBody& body, const ClosedForm&, const Matrix3d& X, double h) {
+  const Vector3d w = unchecked::rigid_velocity(body, body_momentum(body, false, X));
+  return {X * ExactSolution(body.with_start(w, Matrix3d::Identity())).at(h).X, 0.0, 1};
 }
 
 }  // namespace
@@ -153,7 +174,7 @@ void require_attitude(const Matrix3d& X) {
 namespace unchecked {
 
 Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matrix3d& X) {
-  return body.inverse() * body_momentum(body, method.linear(), X);
+  return unchecked::turning_rate(body, body_momentum(body, method.linear(), X));
 }
 
 Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
@@ -164,12 +185,12 @@ Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, do
 }  // namespace unchecked
 
 Vector3d angular_velocity(const FreeBody& body, const Method& method, const Matrix3d& X) {
-  require_attitude(X);
+  require_finite_entries("X", X);
   return unchecked::angular_velocity(body, method, X);
 }
 
 Step take_step(const FreeBody& body, const Method& method, const Matrix3d& X, double h) {
-  require_attitude(X);
+  require_finite_entries("X", X);
   require_finite("h", h);
   return unchecked::take_step(body, method, X, h);
 }

@@ -1,12 +1,8 @@
 #include "motion/taylor.h"
 
-#include <fmt/format.h>
-#include <twrench/base/error.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace twrench::motion {
 namespace {
@@ -21,7 +17,7 @@ constexpr auto reciprocal = [] {
   return table;
 }();
 
-/// The rotation of the quaternion (w, v) with the given squared norm.
+/// Returns the rotation of the quaternion (w, v) with the given squared norm.
 Matrix3d rotation(double w, const Vector3d& v, double squared_norm) {
   const Vector3d u = (2 / squared_norm) * v;
   const double xx = u.x() * v.x(), yy = u.y() * v.y(), zz = u.z() * v.z();
@@ -32,15 +28,6 @@ Matrix3d rotation(double w, const Vector3d& v, double squared_norm) {
       xy + wz, 1 - (zz + xx), yz - wx,   //
       zx - wy, yz + wx, 1 - (xx + yy);
   return R;
-}
-
-/// Horner's rule takes the powers in pairs.
-std::size_t checked_order(const Taylor& method) {
-  constexpr int greatest = max_taylor_order;
-  const int order = method.order;
-  if (order >= 2 && order <= greatest && order % 2 == 0) return static_cast<std::size_t>(order);
-  throw OutOfRange("order", fmt::format("is {}, but must be even, and 2 to {}", order, greatest),
-                   {double(order), 2, double(greatest)});
 }
 
 }  // namespace
@@ -64,17 +51,16 @@ Sample TaylorSeries::sample(double t, const State& state) const {
   return {t, state.X * axes_.transpose(), axes_ * (velocity_ / unit_).cwiseProduct(state.mu)};
 }
 
-/// As soon as its coefficient of order k is known, each product is added to the sums of all later
-/// orders that contain it. These additions are independent of each other, unlike those of a single
-/// sum.
+/// Once the coefficients of order k are known, their products are added to the sums of all later
+/// orders. These additions are independent of each other, unlike those within a single sum.
 void TaylorSeries::expand(const State& state) {
   start_ = state;
   const Vector3d &n = state.mu, &w = velocity_, wn = w.cwiseProduct(n);
   const Pair euler12{w[2] - w[1], w[0] - w[2]};
   const double euler3 = w[1] - w[0];
   const Pair n12{n[0], n[1]}, n23{n[1], n[2]};
-  // Of order k: (m1, m2), (m2, m3), (m3, d) and (m1, f), where d and f belong to 1 + mu . n and
-  // psi'. Their products in pairs are (m1 m2, m2 m3) and (m3 m1, d f).
+  // Coefficients of order k: (m1, m2), (m2, m3), (m3, d) and (m1, f), where d and f belong to 1 +
+  // mu . n and psi'. Their products in pairs are (m1 m2, m2 m3) and (m3 m1, d f).
   std::array<Pair, capacity> m23, m3d, m1f;
   // Initialised by the first product that is added.
   std::array<Pair, 2 * capacity> sum12_23, sum31_df;
@@ -110,8 +96,8 @@ void TaylorSeries::expand(const State& state) {
   }
 }
 
-/// One step of Newton's method along the gradient squares the error, which makes it round-off after
-/// any step whose last term is below 1e-8.
+/// One step of Newton's method along the gradient squares the error. After any step whose last term
+/// is below 1e-8, this leaves only round-off.
 Vector3d TaylorSeries::with_initial_energy(const Vector3d& mu) const {
   const Vector3d gradient = 2 * excess_.cwiseProduct(mu);
   const double slope = gradient.squaredNorm();
@@ -122,7 +108,8 @@ Vector3d TaylorSeries::with_initial_energy(const Vector3d& mu) const {
 
 TaylorSeries::State TaylorSeries::at(double h) const {
   const double s = h / unit_, s2 = s * s;
-  // Horner's rule, separately for even and odd powers: half as many dependent operations.
+  // Horner's rule, separately for even and odd powers, which halves the chain of dependent
+  // operations.
   Pair m12{}, m3psi{}, odd12{}, odd3psi{};
   for (std::size_t k = order_; k > 0; k -= 2) {
     m12 = m12 * s2 + m12_[k];
@@ -145,19 +132,6 @@ double TaylorSeries::term(std::size_t k) const {
   return std::sqrt(2 * (squares[0] + squares[1]));
 }
 
-double TaylorSeries::last_terms(double h) const {
-  const double s = std::abs(h) / unit_;
-  const double power = std::pow(s, static_cast<double>(order_ - 1));
-  return std::max(term(order_ - 1), term(order_) * s) * power;
-}
-
-double TaylorSeries::max_step(double tolerance) const {
-  const auto order = static_cast<double>(order_);
-  const double before = term(order_ - 1), last = term(order_);
-  double s = std::pow(tolerance / before, 1 / (order - 1));
-  if (last * s > before) s = std::pow(tolerance / last, 1 / order);
-  // No angle changes by more than s in the time s, and s^k/k! decreases for k > s.
-  return unit_ * std::min(s, 0.4 * order);
-}
+LastTerms TaylorSeries::last() const { return {order_, term(order_ - 1), term(order_)}; }
 
 }  // namespace twrench::motion

@@ -11,8 +11,8 @@
 namespace twrench::motion {
 namespace {
 
-/// Throws where so many fixed steps to t_end, s, would be too many, which can be seen before the
-/// first. The closed form takes as many where it is asked for steps.
+/// Throws if the fixed steps to t_end, s, exceed the limit, before the first step is taken. The
+/// limit also applies to the steps of the closed form.
 void require_possible(const Method& method, const StepControl& control, double t_end) {
   if (method.adaptive()) return;
   const double steps = std::abs(t_end) / control.step;
@@ -23,7 +23,8 @@ void require_possible(const Method& method, const StepControl& control, double t
                     MotionError::Reason::too_many_steps);
 }
 
-/// Returns the time of a sample, or throws unless it is finite and not before that of the last one.
+/// Returns the time `t` of a sample. Throws unless it is finite, not negative and not before
+/// `last`.
 double require_not_before(double last, double t) {
   require_not_negative("time", t);
   if (t >= last) return t;
@@ -34,7 +35,7 @@ double require_not_before(double last, double t) {
 
 Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
                      std::span<const double> times) {
-  for (const double t : times) require_finite("time", t);
+  require_finite_entries("time", times);
   const auto forward = make_propagator(body, method, control, Direction::forward);
   if (method.exact()) return {forward->samples_at(times), 0, forward->evaluations()};
   std::vector<std::size_t> order(times.size());
@@ -61,7 +62,7 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
   if (count > 0 && !method.exact()) {
     require_possible(method, control, require_not_negative("time", time(count - 1)));
   }
-  // A method that goes in steps hands over each sample before it goes on and perhaps fails.
+  // A stepping method delivers each sample before it continues, because a later step may fail.
   const std::size_t together = method.exact() ? 4096 : 1;
   std::vector<double> times;
   double last = 0;

@@ -2,8 +2,8 @@
 
 #include <twrench/motion/stepper.h>
 
-// The functions of stepper.h without their checks: a method that leaves SO(3) may overflow, which
-// its propagator reports as a motion that has diverged.
+// The functions of stepper.h without their checks. If a method that leaves SO(3) overflows, its
+// propagator reports that the motion has diverged.
 
 namespace twrench::motion::unchecked {
 

@@ -6,19 +6,19 @@
 
 namespace twrench::page {
 
-/// What decides on the program that draws a part.
+/// The properties of a part that determine the program that draws it.
 struct PartMaterial {
   /// The look of the part.
   scene::PartLook look;
-  /// Whether its vertices have colours of their own.
+  /// Whether its vertices have their own colours.
   bool is_colored;
 };
 
 /// The materials of a body.
 struct Materials {
-  /// Those that differ.
+  /// The different materials.
   std::vector<PartMaterial> kinds;
-  /// For each part, the index of its own.
+  /// The index of each part's material.
   std::vector<std::size_t> of_part;
 };
 

@@ -13,7 +13,7 @@ std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes) {
   uLongf size = compressBound(bytes.size());
   std::vector<std::uint8_t> result(size);
   if (compress2(result.data(), &size, bytes.data(), bytes.size(), Z_BEST_COMPRESSION) != Z_OK) {
-    throw std::bad_alloc();  // with room enough, nothing else can fail
+    throw std::bad_alloc();  // with enough room, nothing else can fail
   }
   result.resize(size);
   return result;

@@ -1,5 +1,6 @@
 #include "page/page_json.h"
 
+#include "base/time_unit.h"
 #include "page/surface_json.h"
 #include "page/theme_json.h"
 #include "scene/limits.h"
@@ -22,6 +23,14 @@ ordered_json limits_json() {
           {"time", {-limits::duration.high, limits::duration.high}}};
 }
 
+/// The units of time, the longest first, each with the shortest time that is written in it, its
+/// length in s and its symbol.
+ordered_json time_units_json() {
+  ordered_json units = ordered_json::array();
+  for (const TimeUnit& unit : time_units()) units.push_back({unit.from, unit.length, unit.symbol});
+  return units;
+}
+
 }  // namespace
 
 ordered_json page_json(const scene::Scene& scene, const Surface& surface) {
@@ -37,7 +46,8 @@ ordered_json page_json(const scene::Scene& scene, const Surface& surface) {
           {"inertia", std::move(inertia)},
           {"surface", surface_json(scene, surface, materials)},
           {"themes", themes_json(scene.look, materials)},
-          {"limits", limits_json()}};
+          {"limits", limits_json()},
+          {"time_units", time_units_json()}};
 }
 
 }  // namespace twrench::page

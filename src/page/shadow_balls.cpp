@@ -12,20 +12,20 @@ using picture::Ball;
 
 constexpr std::size_t most_balls = 64;  // as in web/picture/ground.frag
 
-/// A ball of the same section as both, in the middle of them.
+/// A ball with the total cross-section of both, at their weighted mean.
 Ball together(const Ball& a, const Ball& b) {
   const double of_a = a.radius * a.radius, of_b = b.radius * b.radius;
   return {(of_a * a.centre + of_b * b.centre) / (of_a + of_b), std::sqrt(of_a + of_b)};
 }
 
-/// How much the shadow is changed by taking two together: the second moment of their sections.
+/// The change of the shadow if two balls are merged: the second moment of their cross-sections.
 double cost(const Ball& a, const Ball& b) {
   const double of_a = a.radius * a.radius, of_b = b.radius * b.radius;
   return of_a * of_b / (of_a + of_b) * (a.centre - b.centre).squaredNorm();
 }
 
-/// Takes balls together, two by two, each time those that cost least. For each ball it remembers
-/// the one behind it with which it costs least: a search through all pairs each time would take
+/// Merges balls in pairs, each time the pair with the lowest cost. For each ball it stores the
+/// later ball with which it costs least, because a search through all pairs each time would take
 /// minutes for a body of hundreds of rods.
 class Reduction {
  public:
@@ -62,7 +62,7 @@ class Reduction {
     for (std::size_t i = 0; i < balls_.size(); ++i) update(i, first, second);
   }
 
-  /// After the second of two balls was taken out, and the first has become both.
+  /// Updates ball `i` after ball `second` was merged into ball `first` and removed.
   void update(std::size_t i, std::size_t first, std::size_t second) {
     Best& best = best_[i];
     if (i == first || best.other == first || best.other == second) {
@@ -82,7 +82,7 @@ class Reduction {
 
 }  // namespace
 
-std::vector<picture::Ball> fewer_shadow_balls(std::span<const body::Part> parts) {
+std::vector<picture::Ball> reduced_shadow_balls(std::span<const body::Part> parts) {
   return Reduction(picture::shadow_balls(parts)).down_to(most_balls);
 }
 

@@ -9,8 +9,8 @@
 
 namespace twrench::page {
 
-/// Returns balls that cast as much shadow as the parts, as the film's do. As many as a shader has
-/// room for: of more, those that are closest to one another are taken together.
-std::vector<picture::Ball> fewer_shadow_balls(std::span<const body::Part> parts);
+/// Returns balls that cast as much shadow as the parts, as in the film. If there are more than a
+/// shader has room for, those closest to one another are merged.
+std::vector<picture::Ball> reduced_shadow_balls(std::span<const body::Part> parts);
 
 }  // namespace twrench::page

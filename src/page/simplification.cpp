@@ -12,10 +12,11 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Triangles that a piece keeps in any case: a small one beside a large one would vanish.
+/// The number of triangles that a piece always keeps, because a small piece beside a large one
+/// would otherwise vanish.
 constexpr std::size_t fewest_of_piece = 100;
 
-/// Vertices and the triangles between them, no others.
+/// Vertices, and the triangles that use only these.
 struct Piece {
   std::size_t first_vertex, vertices;
   std::size_t first_index, indices;
@@ -25,7 +26,7 @@ std::size_t begin_of(const std::vector<std::size_t>& ends, std::size_t part) {
   return part == 0 ? 0 : ends[part - 1];
 }
 
-/// A part; the two sides of a wall, whose vertices lie in the same places, apart.
+/// The pieces of a part: one, or the two sides of a wall, which have vertices in the same places.
 std::vector<Piece> pieces_of(const picture::Mesh& mesh, std::size_t part, bool is_wall) {
   const std::size_t sides = is_wall ? 2 : 1;
   Piece piece{begin_of(mesh.vertex_ends, part), 0, begin_of(mesh.part_ends, part), 0};
@@ -39,7 +40,7 @@ std::vector<Piece> pieces_of(const picture::Mesh& mesh, std::size_t part, bool i
   return pieces;
 }
 
-/// The indices of a piece that are left.
+/// Returns the indices of a piece that remain.
 Indices simplified(const picture::Mesh& mesh, const Piece& piece, std::size_t most_indices) {
   constexpr float any_error = 1;  // in sizes of the piece
   Indices given(piece.indices), left(piece.indices);
@@ -59,7 +60,7 @@ Indices simplified(const picture::Mesh& mesh, const Piece& piece, std::size_t mo
   return left;
 }
 
-/// Takes out the vertices that no triangle uses.
+/// Removes the vertices that no triangle uses.
 void drop_unused_vertices(picture::Mesh& mesh) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
@@ -82,7 +83,7 @@ void drop_unused_vertices(picture::Mesh& mesh) {
   }
 }
 
-/// The triangles of the meshes of parts, as they were given; of a wall, those of both sides.
+/// The number of triangles in the meshes of the parts, as given; walls have two sides.
 std::size_t triangles_given(std::span<const body::Part> parts) {
   std::size_t count = 0;
   for (const body::Part& part : parts) {
@@ -92,7 +93,7 @@ std::size_t triangles_given(std::span<const body::Part> parts) {
   return count;
 }
 
-/// How many triangles are drawn for them.
+/// The number of triangles drawn for these parts.
 std::size_t triangles_drawn(const picture::Mesh& mesh, std::span<const body::Part> parts) {
   std::size_t indices = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -9,18 +9,18 @@
 
 namespace twrench::page {
 
-/// How many triangles the parts that are given by triangles have, and how many of them are drawn;
-/// of walls, on both sides.
+/// The number of triangles of the parts that are given as triangles, and the number of them that
+/// are drawn; walls count on both sides.
 struct Simplification {
   std::size_t given, drawn;
 };
 
-/// Takes triangles, and the vertices that only they use, out of those parts of a body's mesh that
-/// are given by triangles, until about `most` are left: the triangles whose absence changes the
+/// Removes triangles, and the vertices that only they use, from the parts of a body's mesh that are
+/// given as triangles, until about `most` are left. It removes those whose absence changes the
 /// shape least (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics",
-/// SIGGRAPH 97). A surface too rough for that is cut into cells with a vertex each. A small part
-/// beside large ones keeps 100. Does and returns nothing where there are no more than `most`;
-/// clusters are not kept.
+/// SIGGRAPH 97). A surface too rough for that is divided into cells with one vertex each. A small
+/// part beside large ones keeps 100. Changes nothing and returns nothing if there are at most
+/// `most`; clusters are not kept.
 std::optional<Simplification> simplify(picture::Mesh& mesh, std::span<const body::Part> parts,
                                        std::size_t most);
 

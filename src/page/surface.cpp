@@ -8,13 +8,13 @@
 namespace twrench::page {
 namespace {
 
-constexpr std::size_t most_vertices = 5000;     // of bodies of few parts, for the size of the page
-constexpr std::size_t most_triangles = 20'000;  // of meshes, for the same
+constexpr std::size_t most_vertices = 5000;     // for bodies of few parts; limits the page
+constexpr std::size_t most_triangles = 20'000;  // for meshes; likewise
 constexpr double finest = 2.3e-4;               // tolerance in radii: invisible in 1440 rows
 constexpr double coarsest = 2e-3;
 
-/// Whether a part is a mesh that is simplified in any case, and takes seconds to be made once more
-/// with another tolerance.
+/// Whether a part is a mesh that is simplified anyway and takes seconds to build again with another
+/// tolerance.
 bool is_large_mesh(const body::Part& part) {
   const auto* const mesh = std::get_if<body::Mesh>(&part.shape);
   return mesh != nullptr && mesh->surface->triangles.size() > most_triangles;

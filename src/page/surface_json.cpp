@@ -23,7 +23,7 @@ void append(ordered_json& list, const ordered_json& values) {
   list.insert(list.end(), values.begin(), values.end());
 }
 
-/// Positions in units of radius / 32767, and normals.
+/// Packs positions in units of radius / 32767, and normals.
 std::string packed_vertices(const picture::Mesh& mesh, double radius) {
   std::vector<std::uint16_t> integers;
   const auto add = [&](const glm::vec3& v, double scale) {
@@ -62,7 +62,7 @@ ordered_json parts_json(std::span<const picture::PartModel> parts, const Materia
   return json;
 }
 
-/// The numbers from which the page's core computes uniforms, as web/core/surfaces.cpp reads them.
+/// The numbers from which the page's core computes uniforms, in the order of web/core/surfaces.cpp.
 ordered_json model_json(std::span<const picture::PartModel> parts, double radius,
                         const std::vector<picture::Ball>& balls) {
   ordered_json json{radius, parts.size()};
@@ -91,7 +91,7 @@ ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
                           const Materials& materials) {
   const auto& [parts, radius, mesh, simplification] = surface;
   const std::vector<picture::PartModel> models = picture::part_models(parts, mesh, radius);
-  const auto balls = fewer_shadow_balls(scene::visible_parts(scene.body));
+  const auto balls = reduced_shadow_balls(scene::visible_parts(scene.body));
   ordered_json json{{"radius", radius},
                     {"trail_point", numbers(picture::trail_point(scene))},
                     {"marked", picture::axis_of_revolution(parts).has_value()},

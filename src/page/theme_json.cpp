@@ -40,7 +40,7 @@ ordered_json overlay_json(const picture::OverlayColors& colors) {
           {"plane", color_json(colors.plane)}, {"curve", std::move(curve)}};
 }
 
-/// The names are those of the style sheet's properties.
+/// The keys are the names of the style sheet's properties.
 ordered_json page_json(const picture::ThemeStyle& style) {
   const picture::PageColors& page = style.page;
   return {{"scheme", page.is_light ? "light" : "dark"},

@@ -106,7 +106,8 @@ std::string plot_column(std::size_t curve, int column) {
 Plot nine_panels(std::span<const AttitudeCurve> curves) {
   const double end = end_of(curves);
   const TimeUnit unit = time_unit(end);
-  // One motion has a short key: a smaller plot has larger letters in a text.
+  // With one motion the key is short. The plot is then smaller, so that its letters are larger in a
+  // text.
   const bool single = curves.size() == 1;
   Plot plot{single ? 900 : 1200, single ? 740 : 820, data(curves, unit)};
   std::string& script = plot.script;

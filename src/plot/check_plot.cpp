@@ -15,13 +15,13 @@
 namespace twrench::plot {
 namespace {
 
-/// What a panel shows.
+/// A panel of errors and their limits.
 struct ErrorPanel {
-  std::string title, unit, block;  ///< block: of the data
-  double factor;                   ///< the unit from ours
+  std::string title, unit, block;  ///< block: name of the data
+  double factor;                   ///< from our unit to the panel's
   double check::Span::*error;
   double check::Span::*limit;
-  std::vector<std::size_t> curves;  ///< those that have it
+  std::vector<std::size_t> curves;  ///< the curves that have this error
 };
 
 std::vector<ErrorPanel> panels_of(std::span<const JudgedCurve> curves) {
@@ -50,7 +50,8 @@ std::vector<ErrorPanel> panels_of(std::span<const JudgedCurve> curves) {
   return panels;
 }
 
-/// Time in that unit, error and limit. An error of zero has no logarithm and leaves a gap.
+/// Writes the time in that unit, the error and the limit. An error of zero has no logarithm and
+/// leaves a gap.
 std::string data(const ErrorPanel& panel, std::span<const JudgedCurve> curves,
                  const TimeUnit& unit) {
   std::string text;
@@ -72,12 +73,12 @@ std::string curve_color(std::size_t i) { return std::string(palette[i % palette.
 
 std::string line_style(std::size_t i) { return fmt::format("lw 1.5 lc rgb '{}'", curve_color(i)); }
 
-/// Of the limit of a curve: in its colour, or in gray where there is but one.
+/// The style of a curve's limit: in the curve's colour, or in gray if there is only one curve.
 std::string limit_style(std::size_t i, std::size_t curves) {
   return fmt::format("dt (6,4) lw 1.2 lc rgb '{}'", curves == 1 ? "#606060" : curve_color(i));
 }
 
-/// The decades that hold all errors and limits.
+/// The decades that contain all errors and limits.
 std::string range(const ErrorPanel& panel, std::span<const JudgedCurve> curves) {
   double low = INFINITY, high = 0;
   for (const std::size_t i : panel.curves) {
@@ -93,7 +94,7 @@ std::string range(const ErrorPanel& panel, std::span<const JudgedCurve> curves) 
   return fmt::format("[1e{}:1e{}]", std::floor(std::log10(low)), std::floor(std::log10(high)) + 1);
 }
 
-/// The times that the curves cover, s.
+/// The range of time that the curves cover in s.
 struct Times {
   double from = INFINITY, to = -INFINITY;
 };

@@ -14,9 +14,9 @@ struct JudgedCurve {
   const check::Judgement* judgement;  ///< not null
 };
 
-/// Returns the errors of rates and of attitudes against time, a panel for each kind that there is,
-/// on a logarithmic scale; beside each, dashed, the resolution limit of its digits.
-/// Rates are in the unit of the first file. There must be at least one curve, and one row.
+/// Returns the errors of rates and of attitudes against time on a logarithmic scale, with a panel
+/// for each kind that is present. A dashed line shows the resolution limit of the digits. Rates are
+/// in the unit of the first file. There must be at least one curve, and one row.
 Plot check_plot(std::span<const JudgedCurve> curves);
 
 }  // namespace twrench::plot

@@ -46,7 +46,7 @@ system::ChildProcess start(const std::vector<std::string>& arguments,
                                           output);
 }
 
-/// The same size in all formats, each in its own units; PNG has twice the resolution.
+/// The plot has the same size in all formats, each in its own units; PNG has twice the resolution.
 std::string terminal(const Format& format, const Plot& plot) {
   const std::string start =
       fmt::format("set encoding utf8\nset terminal {} enhanced size ", format.terminal);
@@ -64,7 +64,7 @@ std::string terminal(const Format& format, const Plot& plot) {
                      2 * plot.width, 2 * plot.height);
 }
 
-/// Feeds gnuplot, which writes to the descriptor, with the plot; `name` is what messages call it.
+/// Feeds the plot to gnuplot, which writes to the descriptor; messages call the plot `name`.
 void draw(int output, const Format& format, const Plot& plot, const std::string& name) {
   const std::string script = terminal(format, plot) + plot.script + "\nunset output\n";
   system::ChildProcess gnuplot = start({}, output);
@@ -73,7 +73,7 @@ void draw(int output, const Format& format, const Plot& plot, const std::string&
   if (const int status = gnuplot.wait(); status != 0) {
     throw PlotError("cannot draw " + name,
                     fmt::format("gnuplot ended with exit status {}: {}", status,
-                                system::last_words(gnuplot.error_output())));
+                                system::error_summary(gnuplot.error_output())));
   }
 }
 
@@ -102,7 +102,7 @@ void require_gnuplot(const std::string& path) {
   system::ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
   if (gnuplot.wait() == 0) return;
   throw PlotError(fmt::format("gnuplot cannot write {}", path),
-                  system::last_words(gnuplot.error_output()),
+                  system::error_summary(gnuplot.error_output()),
                   "install a build that can: apt-get install gnuplot-nox");
 }
 

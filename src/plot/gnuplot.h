@@ -15,8 +15,8 @@ struct PlotError : Error {
   using Error::Error;
 };
 
-/// A plot as gnuplot draws it: its size in pixels of 1/96 inch, and the commands that follow the
-/// choice of the format.
+/// A plot for gnuplot: its size in pixels of 1/96 inch, and the commands after those that set the
+/// format.
 struct Plot {
   /// Size in pixels of 1/96 inch.
   int width, height;
@@ -26,7 +26,7 @@ struct Plot {
 
 /// Colours of curves on white, one for each method. They have a contrast of at least 3 (WCAG 2.1,
 /// 1.4.11); any two differ by 38 (CIE Lab), and by 17 for protan, deutan and tritan vision (Machado
-/// et al. 2009). None but black is so dark that it looks black in a thin line.
+/// et al. 2009). Except for black, none is so dark that a thin line in it looks black.
 inline constexpr std::array<std::string_view, 13> palette{
     "#089DDD", "#B6310C", "#157A42", "#C247A6", "#C17B01", "#5267CC", "#000000",
     "#FC2578", "#759086", "#C001FF", "#692C36", "#33496C", "#421CBC"};
@@ -40,15 +40,15 @@ std::string gnuplot_string(std::string_view text);
 void require_gnuplot(const std::string& path);
 
 /// Returns the plot as the text of an SVG file. Throws PlotError if gnuplot is missing or fails,
-/// and FileError where it left the plot incomplete.
+/// and FileError if gnuplot left the plot incomplete.
 std::string svg(const Plot& plot);
 
-/// Draws the plot into a file that appears when it is committed, in the format of its ending.
-/// Throws as draw_plot() does.
+/// Draws the plot into a file that appears when it is committed. The file's extension selects the
+/// format. Throws as draw_plot() does.
 std::unique_ptr<system::PendingFile> draw_pending_plot(const std::string& path, const Plot& plot);
 
-/// Draws the plot into the file, in the format of its ending; the file appears complete or not at
-/// all. Throws as require_gnuplot() does, PlotError if gnuplot fails, and FileError.
+/// Draws the plot into the file, whose extension selects the format; the file appears complete or
+/// not at all. Throws as require_gnuplot() does, PlotError if gnuplot fails, and FileError.
 void draw_plot(const std::string& path, const Plot& plot);
 
 }  // namespace twrench::plot

@@ -24,19 +24,19 @@ struct PanelGrid {
     return double(height - top - bottom - (rows - 1) * between_rows) / rows;
   }
 
-  /// Returns the commands that place the next plot there. Row 0 is at the top.
+  /// Returns the commands that place the next plot in that panel. Row 0 is at the top.
   std::string place(int row, int column) const;
 };
 
-/// The commands that all diagrams begin with: faint frame and grid, no key.
+/// The commands at the beginning of all diagrams: faint frame and grid, no key.
 inline constexpr std::string_view diagram_style =
     "set border lw 0.6 lc rgb '#808080'\n"
     "set tics nomirror scale 0.5 textcolor rgb '#404040'\n"
     "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
     "set key off\n";
 
-/// Returns a key across the full width, to be the last plot: `entries`, each ", keyentry ...", in
-/// at most the given number of columns, centred at `height` (0 to 1) above the lower edge.
+/// Returns a key across the full width, which must be the last plot: `entries`, each ", keyentry
+/// ...", in at most the given number of columns, centred at `height` (0 to 1) above the lower edge.
 std::string key_plot(const std::string& entries, int columns, double height);
 
 }  // namespace twrench::plot

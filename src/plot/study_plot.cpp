@@ -74,7 +74,7 @@ std::string key_entries(const study::Study& study) {
 
 constexpr double lowest_error = 1e-15, highest_error = 10;
 
-/// The diagram of errors against step sizes, as far as it takes to find free places in it.
+/// The geometry of the diagram of errors against step sizes, used to find free places for labels.
 class OrderDiagram {
  public:
   OrderDiagram(const study::Study& study, double width, double height)
@@ -95,7 +95,7 @@ class OrderDiagram {
   }
 
   /// Reference slopes of orders 1, 2 and 4: broad faint lines behind the curves, each with a label
-  /// beside it where there is most room.
+  /// beside it at the place with the most room.
   std::string slopes() {
     std::string text = fmt::format("set xrange [{:.6g}:{:.6g}]\n", low(), high());
     for (const int order : orders) {
@@ -157,7 +157,7 @@ class OrderDiagram {
     for (double along = 0; along < 0.9; along += 0.01) {
       for (const double side : {beside, -beside}) {
         const Eigen::Vector2d place = from + along * way + side * across;
-        // The line itself is as far away as `beside`: anything beyond that is no better.
+        // The line itself is `beside` pixels away, so more room than that is no better.
         if (const double here = std::min(room(place), beside - 1); here > most) {
           best = place;
           most = here;
@@ -244,7 +244,7 @@ std::string work_panel(const study::Study& study) {
          run_curves(study, "run", "3:4", true);
 }
 
-/// The error and the drift are equal on the broad line.
+/// The broad line shows where the error and the drift are equal.
 std::string energy_panel(const study::Study& study) {
   return fmt::format(
              "set xrange {}\nset title 'Error against energy'\n"

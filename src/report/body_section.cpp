@@ -44,7 +44,7 @@ Table axes_table(const Experiment& experiment) {
       .header = {"Axis", "Moment, g cm²", "Direction in body axes", "A small tilt",
                  "Rate, rad/s or 1/s", "Period or doubling time, s"},
       .rows = {}};
-  for (int i = 0; i < 3; ++i) {
+  for (const auto i : body::PrincipalAxes::all) {
     const motion::Stability tilt = motion::stability(body.moments, i, 1);
     const bool grows = tilt.kind == motion::Stability::Kind::unstable;
     const bool wobbles = tilt.kind == motion::Stability::Kind::stable;

@@ -32,7 +32,7 @@ class Citations {
   /// Returns the number of a reference in brackets, as "[2]", and adds it to the list if it is new.
   std::string cite(std::string_view reference);
 
-  /// Returns the number of the specification.
+  /// Cites the specification as cite() does.
   std::string specification();
 
   /// Returns the citation of a method's source, Method::source; with the equation or section if

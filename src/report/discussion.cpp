@@ -31,7 +31,7 @@ Paragraph orders_paragraph(const study::Study& study) {
                   fmt::join(orders, ", "))};
 }
 
-/// How large errors and drifts are of one method at the middle of its ladder; empty if it failed.
+/// The error and the energy drift of a method in the middle of its ladder; empty if it failed.
 std::string error_and_drift(const study::Study& study, std::string_view method) {
   const study::StudyRun* run = middle_run(results_of(study, method));
   if (run == nullptr) return {};

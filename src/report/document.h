@@ -21,7 +21,7 @@ struct Subheading {
 
 /// A table. Its texts are plain; the first column names the rows.
 struct Table {
-  std::string caption;                         ///< What it shows.
+  std::string caption;                         ///< Its title.
   std::vector<std::string> commands;           ///< The command lines that print these numbers.
   std::vector<std::string> header;             ///< With units.
   std::vector<std::vector<std::string>> rows;  ///< Each as long as the header.
@@ -30,8 +30,8 @@ struct Table {
 
 /// A plot.
 struct Figure {
-  std::string name;     ///< Of its file, without the ending, where it has one of its own.
-  std::string caption;  ///< What it shows.
+  std::string name;     ///< Its file name without the ending, if it gets a separate file.
+  std::string caption;  ///< Its title.
   std::string command;  ///< The command line that draws it.
   plot::Plot plot;      ///< The plot itself.
 };
@@ -39,7 +39,7 @@ struct Figure {
 /// A numbered equation.
 struct Formula {
   std::string tex;   ///< In TeX, as far as mathml() supports it.
-  std::string says;  ///< Its symbols and its source.
+  std::string says;  ///< The meaning of its symbols, and its source.
 };
 
 /// A list, as of references.
@@ -53,7 +53,7 @@ struct Section {
   std::vector<std::variant<Paragraph, Subheading, Table, Figure, Formula, List>> content;
 };
 
-/// Results as they are read, whatever the format.
+/// A report, independent of the format of its file.
 struct Document {
   std::string title;
   std::string author;   ///< May be empty.

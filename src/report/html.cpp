@@ -31,7 +31,8 @@ std::string command_html(const std::string& command) {
   return "<code class=\"command\">" + html(command) + "</code>";
 }
 
-/// Names in an SVG are the whole page's: each figure gets its own, and the size of its column.
+/// Gives the names in an SVG a prefix, because all figures of a page share their names, and removes
+/// its fixed size and its title.
 std::string inline_svg(std::string svg, const std::string& prefix) {
   svg.erase(0, svg.find("<svg"));
   for (const std::string_view before : {"id='", "id=\"", "href='#", "href=\"#", "url(#"}) {

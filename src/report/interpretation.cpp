@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <twrench/math/elliptic.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/stability.h>
 
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/elliptic.h"
 #include "report/motion_parts.h"
 #include "report/numbers.h"
 #include "scene/prediction.h"
@@ -63,12 +63,12 @@ std::string spin_period(const Solution& solution) {
   return short_number(2 * std::numbers::pi / solution.body.omega().norm());
 }
 
-/// The text about the waiting between flips, for a rotation that begins near the intermediate axis.
+/// The time between flips, for a rotation that begins near the intermediate axis.
 std::string waiting(const Solution& solution, const motion::ExactMotion::Flips& flips) {
   const motion::Tilt tilt(solution.body);
-  if (tilt.axis() != 1) return {};
+  if (tilt.axis() != body::PrincipalAxes::intermediate) return {};
   const motion::Stability unstable =
-      motion::stability(solution.body.principal().moments, 1, tilt.steady_rate());
+      motion::stability(solution.body.principal().moments, tilt.axis(), tilt.steady_rate());
   // sn = 0.9.
   const double crossing =
       2 * elliptic::incomplete_first(0.9, std::sqrt(1 - 0.81), flips.mc) / flips.rate;
@@ -107,7 +107,7 @@ std::string turning_over(const Solution& solution, const motion::ExactMotion::Fl
 std::string wobbling(const Solution& solution, const motion::ExactMotion::Flips& flips) {
   const body::PrincipalAxes& principal = solution.body.principal();
   const bool least = solution.exact.kind() == motion::ExactMotion::Kind::about_least;
-  const int axis = least ? 0 : 2;
+  const auto axis = least ? body::PrincipalAxes::least : body::PrincipalAxes::greatest;
   const Excursion far = excursion(solution, principal.axes.col(axis));
   const motion::Stability stable = motion::stability(
       principal.moments, axis, solution.body.momentum().norm() / principal.moments[axis]);

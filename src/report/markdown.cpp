@@ -11,7 +11,7 @@
 namespace twrench::report {
 namespace {
 
-/// The text with what Markdown would read as markup escaped.
+/// Escapes the characters that Markdown reads as markup.
 std::string markdown(std::string_view text) {
   constexpr std::string_view special = "\\`*_[]<>|#&$~^{}";
   std::string result;
@@ -90,7 +90,7 @@ class MarkdownWriter {
     write_("\n");
   }
 
-  /// The files of the figures, which are complete but not yet there.
+  /// The files of the figures, complete but not yet committed.
   Figures figures() && { return std::move(pending_); }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace twrench::report {
 
-/// Files of figures, complete, that appear when they are committed.
+/// Complete files of figures, which appear once they are committed.
 using Figures = std::vector<std::unique_ptr<system::PendingFile>>;
 
 /// Writes the document as Markdown with TeX formulas. Returns its plots as SVG files beside it,

@@ -33,15 +33,15 @@ std::string element(std::string_view name, std::string_view content) {
   return fmt::format("<{0}>{1}</{0}>", name, content);
 }
 
-/// An operator that keeps its size beside a fraction. Bars and slashes stand close.
+/// An operator that keeps its size beside a fraction. Bars and slashes get no space around them.
 std::string math_operator(std::string_view text) {
   const bool is_close = text == "|" || text == "‖" || text == "/";
   return fmt::format("<mo stretchy=\"false\"{}>{}</mo>",
                      is_close ? " lspace=\"0\" rspace=\"0\"" : "", text);
 }
 
-/// Whether the text ends with an operand: a minus after it is no sign, and a function's name needs
-/// space.
+/// Whether the text ends with an operand. After one, a minus is not a sign, and the name of a
+/// function needs space.
 bool ends_with_operand(std::string_view before) {
   if (before.empty()) return false;
   const char last = before.back();
@@ -49,7 +49,7 @@ bool ends_with_operand(std::string_view before) {
          last == '\'' || last == '|';
 }
 
-/// MathML drops blanks at the ends of a text.
+/// Replaces blanks with no-break spaces, because MathML drops blanks at the ends of a text.
 std::string with_hard_spaces(std::string_view text) {
   std::string result;
   for (const char c : text) result += c == ' ' ? std::string("\u00a0") : std::string(1, c);
@@ -61,7 +61,8 @@ class TexReader {
  public:
   explicit TexReader(std::string_view tex) : rest_(tex) {}
 
-  /// Reads up to the given ending, which is left, or to the end of a group, a cell or the text.
+  /// Reads up to the given ending, which stays unread, or to the end of a group, a cell or the
+  /// text.
   std::string row(std::string_view ending = {}) {
     std::string content;
     const char* const begin = rest_.data();
@@ -126,7 +127,7 @@ class TexReader {
   }
 
   std::string with_scripts(std::string base) {
-    // The character is raised already.
+    // The character itself is raised.
     while (take("'")) base = element("mrow", base + R"(<mo lspace="0" rspace="0">′</mo>)");
     std::string sub, super;
     while (true) {
@@ -179,7 +180,7 @@ class TexReader {
   /// A command with arguments.
   std::string construction(std::string_view name) {
     // Without a mathematical font, an accent is drawn at the height of an x, inside a capital. A
-    // hat is high enough, a dot is not: it is a script over the letter.
+    // hat is high enough, but a dot is not, so it is set as a script over the letter.
     const auto over = [&](std::string_view mark, bool is_accent) {
       return fmt::format("<mover accent=\"{}\">{}<mo stretchy=\"false\">{}</mo></mover>", is_accent,
                          argument(), mark);

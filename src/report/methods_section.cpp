@@ -56,7 +56,7 @@ Table results_table(const study::Study& study, const Experiment& studied) {
   return table;
 }
 
-/// The methods of the ladder that are neither adaptive nor in the tables of the tasks alone.
+/// The methods of the study with a fixed step.
 std::vector<std::string> fixed_step_methods(const study::Study& study) {
   std::vector<std::string> names;
   for (const study::MethodStudy& m : study.methods) {

@@ -12,7 +12,7 @@ Section motion_section(const Solution& solution) {
       components_figure(solution, solution.exact.at(plot_times(solution.scene().motion)),
                         solution.experiment->commands.components));
   section.content.emplace_back(Paragraph{interpretation(solution)});
-  // Else it wobbles about a stable axis, and turns nothing over.
+  // Otherwise it wobbles about a stable axis and does not turn over.
   if (solution.own.flips && solution.own.flips->turns_over()) {
     section.content.emplace_back(flips_table(solution, {own_solution(solution)}));
   }

@@ -7,11 +7,11 @@
 
 namespace twrench::report {
 
-/// Returns a value with eight significant digits; a dash where there is none.
+/// Returns a value with eight significant digits; a dash if it is not finite.
 std::string digits(double value);
 
-/// Returns an error or another small quantity with three significant digits, a dash where there is
-/// none.
+/// Returns an error or another small quantity with three significant digits; a dash if it is not
+/// finite.
 std::string brief(double value);
 
 /// Returns three values in parentheses.

@@ -3,11 +3,18 @@
 #include <algorithm>
 
 #include "report/sections.h"
+#include "scene/interior.h"
 
 namespace twrench::report {
 namespace {
 
-/// A section for each body: several scenes may have the same one.
+void require_rigid_bodies(std::span<const Experiment> experiments) {
+  for (const Experiment& experiment : experiments) {
+    scene::require_rigid(experiment.scene, "a report");
+  }
+}
+
+/// One section for each body, because several scenes may have the same one.
 std::vector<Section> body_sections(std::span<const Experiment> experiments) {
   std::vector<Section> sections;
   std::vector<Eigen::Matrix3d> described;
@@ -24,6 +31,7 @@ std::vector<Section> body_sections(std::span<const Experiment> experiments) {
 }  // namespace
 
 std::vector<Section> report_on_motions(std::span<const Experiment> experiments) {
+  require_rigid_bodies(experiments);
   Citations citations;
   std::vector<Section> sections{introduction_to_motions(citations), theory_section(citations)};
   for (Section& body : body_sections(experiments)) sections.push_back(std::move(body));
@@ -39,6 +47,7 @@ std::vector<Section> report_on_motions(std::span<const Experiment> experiments) 
 
 std::vector<Section> report_on_tasks(std::span<const Experiment> experiments,
                                      const TaskCommands& commands) {
+  require_rigid_bodies(experiments);
   std::vector<PrintedSolution> solutions;
   for (const Experiment& experiment : experiments) {
     solutions.push_back(solve_as_printed(experiment));

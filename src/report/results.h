@@ -10,8 +10,7 @@
 
 namespace twrench::report {
 
-/// The command lines that print or draw what the report shows of an experiment. This library knows
-/// no options.
+/// The command lines that print or draw what the report shows of an experiment.
 struct Commands {
   std::string inertia;     ///< The mass properties.
   std::string start;       ///< The state at t = 0.
@@ -30,7 +29,7 @@ struct Commands {
 
 /// The command lines of tasks that belong to no experiment.
 struct TaskCommands {
-  /// Lie-Euler on the sphere with that omega, so that X at each time, up to the step, is one
+  /// Lie-Euler on the sphere with that omega. X at each time up to the step is a single
   /// exponential.
   std::function<std::string(const std::string& omega, double step,
                             const std::vector<double>& times)>
@@ -51,11 +50,12 @@ struct Experiment {
 
 /// Returns the report on motions: the equations, the bodies, each motion, the methods on the first
 /// of them, and references. All numbers are computed here. There must be at least one experiment.
-/// Throws MotionError where a scene's own method cannot compute its motion.
+/// Throws MotionError if a scene's own method cannot compute its motion, and InvalidArgument unless
+/// the bodies are rigid.
 std::vector<Section> report_on_motions(std::span<const Experiment> experiments);
 
 /// Returns the report that solves the specification's tasks. The experiments must be the three of
-/// task 5. The first defines the T-wrench by its two cylinders. Throws as report_on_motions().
+/// task 5. The first defines the T-wrench by its two cylinders. Throws as report_on_motions() does.
 std::vector<Section> report_on_tasks(std::span<const Experiment> experiments,
                                      const TaskCommands& commands);
 

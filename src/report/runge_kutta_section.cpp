@@ -15,7 +15,7 @@ void append_adaptive_run(std::vector<std::string>& row, const study::StudyRun& r
   row.push_back(done ? brief(run.estimate->largest_error / *run.tolerance) : "–");
 }
 
-/// The pair as printed and with the products kept.
+/// The embedded pair as printed (rkf45), and with the products kept (rkmk45).
 Table tolerances_table(const study::Study& study, const Experiment& studied) {
   Table table{
       .caption = fmt::format("{}: rkf45 as printed and rkmk45. Mean step, error of X at {:.4g} s, "

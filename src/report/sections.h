@@ -50,8 +50,8 @@ Section wrench_section(std::span<const PrintedSolution> solutions);
 /// Task 6: the nine components of X, and an interpretation.
 Section components_section(std::span<const PrintedSolution> solutions);
 
-/// A motion: its constants, the nine components of X against time, an interpretation, its flips as
-/// predicted and as the scene's method has them, and how far the method drifts.
+/// A motion: its constants, the nine components of X against time, an interpretation, the predicted
+/// flips and those of the scene's method, and how far the method drifts.
 Section motion_section(const Solution& solution);
 
 /// All methods on one motion: measured orders, errors, drifts, flips and work.

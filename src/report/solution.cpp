@@ -21,16 +21,13 @@ study::StudyPlan ladder_plan(const scene::Motion& motion) {
   plan.first_step = plan.steps.front();
   plan.duration = motion.duration;
   plan.max_steps = most_study_steps;
+  plan.stop = motion.control.stop;
   return plan;
 }
 
 void require_success(const study::StudyRun& run, const Experiment& experiment) {
   if (!run.failure_reason) return;
   throw motion::MotionError("report " + experiment.scene.name, run.failure, *run.failure_reason);
-}
-
-motion::FreeBody free_body(const scene::Scene& scene) {
-  return {scene::mass_properties(scene.body).inertia, scene.motion.omega};
 }
 
 }  // namespace
@@ -44,7 +41,8 @@ Solution solve(const Experiment& experiment) {
   plan.first_step = motion.control.step;
   plan.duration = motion.duration;
   plan.max_steps = most_study_steps;
-  const motion::FreeBody body = free_body(experiment.scene);
+  plan.stop = motion.control.stop;
+  const motion::FreeBody body = scene::free_body(experiment.scene);
   Solution solution{&experiment, body, motion::ExactMotion(body), study::run_study(body, plan)};
   require_success(solution.run(), experiment);
   return solution;
@@ -68,11 +66,11 @@ PrintedSolution solve_as_printed(const Experiment& experiment) {
 study::Study study_of_all(const Experiment& experiment) {
   study::StudyPlan plan = ladder_plan(experiment.scene.motion);
   for (const motion::Method& method : motion::methods()) plan.methods.push_back(&method);
-  return study::run_study(free_body(experiment.scene), plan);
+  return study::run_study(scene::free_body(experiment.scene), plan);
 }
 
-std::vector<double> plot_times(const scene::Motion& motion) {
-  constexpr double a_turn = 60.0, fewest = 600.0, most = 4000.0;
+std::vector<double> plot_times(const scene::Motion& motion, double most) {
+  constexpr double a_turn = 60.0, fewest = 600.0;
   const double turns = motion.duration * motion.omega.norm() / (2 * std::numbers::pi);
   const double count = std::clamp(std::ceil(a_turn * turns), fewest, most);
   std::vector<double> times;

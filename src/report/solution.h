@@ -38,16 +38,16 @@ struct PrintedSolution {
 /// The largest relative energy drift that task 5 does not regard as noticeable.
 inline constexpr double unnoticed_drift = 1e-6;
 
-/// Solves the experiment with rk4, too: with the longest of the study's steps whose energy drift is
-/// not noticeable, or else with the shortest. Throws as solve(), and MotionError where rk4 fails
-/// with all steps.
+/// Solves the experiment with rk4 as well: with the longest of the study's steps whose energy drift
+/// is not noticeable, or else with the shortest. Throws as solve() does, and MotionError if rk4
+/// fails with all steps.
 PrintedSolution solve_as_printed(const Experiment& experiment);
 
 /// Compares all methods on the motion of an experiment, with the default steps and tolerances of
 /// `twrench study`.
 study::Study study_of_all(const Experiment& experiment);
 
-/// Returns the times of a plot: enough for smooth curves, but no more than a plot can show.
-std::vector<double> plot_times(const scene::Motion& motion);
+/// Returns the times of a plot: enough for smooth curves, but about `most` at most.
+std::vector<double> plot_times(const scene::Motion& motion, double most = 4000.0);
 
 }  // namespace twrench::report

@@ -15,7 +15,7 @@ namespace twrench::report {
 /// Returns a method's results, which must be in the study.
 const study::MethodStudy& results_of(const study::Study& study, std::string_view method);
 
-/// Returns the measured order of a method with two decimals, a dash where there is none.
+/// Returns the measured order of a method with two decimals, or a dash if there is none.
 std::string measured_order(const study::Study& study, std::string_view method);
 
 /// Returns the errors of methods with fixed steps by step, and in the last row the measured orders.

@@ -69,7 +69,7 @@ Section wrench_section(std::span<const PrintedSolution> solutions) {
                                                    own_solution(solution)};
     section.content.emplace_back(Subheading{experiment_heading(solutions[i], i)});
     section.content.emplace_back(constants_table(solution));
-    // Else it wobbles about a stable axis, and turns nothing over.
+    // Otherwise it wobbles about a stable axis and does not turn over.
     if (solution.own.flips && solution.own.flips->turns_over()) {
       section.content.emplace_back(flips_table(solution, numerical));
     }

@@ -8,7 +8,7 @@
 namespace twrench::scene {
 namespace {
 
-/// A file's unit is easily mistaken, and then the mesh is a thousand times too large.
+/// Checks the size of a mesh. With the wrong unit it is often a thousand times too large.
 void check_size(const std::string& what, const body::TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);

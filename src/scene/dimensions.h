@@ -11,11 +11,11 @@ namespace twrench::scene {
 /// Returns the limits of a dimension.
 const limits::Limit& limit_of(const body::Dimension& dimension);
 
-/// Says where the value of a key stands, for messages.
+/// Returns the location of the value of a key, for messages.
 using PlaceOf = std::function<std::string(const std::string& key)>;
 
-/// Throws OutOfRange unless the dimensions are within their limits and a hole is smaller than what
-/// it is in.
+/// Throws OutOfRange unless the dimensions are within their limits and a hole is smaller than the
+/// solid around it.
 void check_dimensions(body::Shape shape, const PlaceOf& place_of);
 
 }  // namespace twrench::scene

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <type_traits>
@@ -31,6 +33,8 @@ ordered_json to_json(const Value& value) {
 
 ordered_json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
+ordered_json to_json(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
 ordered_json to_json(const Color& color) { return to_string(color); }
 
 ordered_json to_json(const std::set<Feature>& features) {
@@ -54,17 +58,19 @@ ordered_json to_json(const std::optional<Value>& value) {
   return value ? to_json(*value) : ordered_json();
 }
 
-template <Field::Kind kind>
+template <ValueForm::Kind kind>
 auto from_json(const ordered_json& value) {
-  if constexpr (kind == Field::Kind::vector) {
+  if constexpr (kind == ValueForm::Kind::vector) {
     return to_vector(value);
-  } else if constexpr (kind == Field::Kind::size) {
+  } else if constexpr (kind == ValueForm::Kind::quaternion) {
+    return to_quaternion(value);
+  } else if constexpr (kind == ValueForm::Kind::size) {
     return value.get<std::array<double, 2>>();
-  } else if constexpr (kind == Field::Kind::text) {
+  } else if constexpr (kind == ValueForm::Kind::text) {
     return value.get<std::string>();
-  } else if constexpr (kind == Field::Kind::texts) {
+  } else if constexpr (kind == ValueForm::Kind::texts) {
     return value.get<Texts>();
-  } else if constexpr (kind == Field::Kind::vectors) {
+  } else if constexpr (kind == ValueForm::Kind::vectors) {
     std::vector<Eigen::Vector3d> vectors;
     for (const ordered_json& entry : value) vectors.push_back(to_vector(entry));
     return vectors;
@@ -73,12 +79,23 @@ auto from_json(const ordered_json& value) {
   }
 }
 
-/// Completes a field whose value is what `member` returns a reference to. `convert` returns the
-/// value for what a file or an option gives, and throws InvalidArgument about its second argument.
-template <Field::Kind kind, typename Convert, typename Member>
-Field complete(Field field, Convert convert, Member member) {
-  field.kind = kind;
-  field.set = [=](Scene& scene, const ordered_json& value, const std::string& what) {
+/// Converts the value from a file or an option. Throws InvalidArgument about its second argument
+/// unless the value has that form.
+template <typename Convert>
+struct Conversion {
+  ValueForm form;  ///< Without its kind.
+  Convert convert;
+};
+template <typename Convert>
+Conversion(ValueForm, Convert) -> Conversion<Convert>;
+
+/// Completes a field whose value is what `member` returns a reference to.
+template <ValueForm::Kind kind, typename Convert, typename Member>
+Field complete(Field field, Conversion<Convert> conversion, Member member) {
+  field.form = std::move(conversion.form);
+  field.form.kind = kind;
+  field.set = [convert = conversion.convert, member](Scene& scene, const ordered_json& value,
+                                                     const std::string& what) {
     member(scene) = convert(from_json<kind>(value), what);
   };
   field.get = [=](const Scene& scene) { return to_json(member(scene)); };
@@ -93,10 +110,12 @@ std::string listed(const Texts& names) {
 template <typename Enumeration, typename Member>
 Field choice(Field field, Member member) {
   field.help += listed(enumerator_names<Enumeration>());
-  return complete<Field::Kind::text>(std::move(field), find_enumerator<Enumeration>, member);
+  return complete<ValueForm::Kind::text>(
+      std::move(field),
+      Conversion{{.names = enumerator_names<Enumeration>()}, find_enumerator<Enumeration>}, member);
 }
 
-/// Makes a field whose value is an empty array one that the scene leaves to its default.
+/// Makes the field report an empty array as a value that the scene does not set.
 Field or_nothing(Field field) {
   field.get = [get = std::move(field.get)](const Scene& scene) {
     ordered_json value = get(scene);
@@ -105,7 +124,7 @@ Field or_nothing(Field field) {
   return field;
 }
 
-/// Makes a field whose default is natural record that it was given.
+/// Makes a field with a natural default record that its value was given.
 Field natural(Field field, Origin Origins::*origin) {
   field.set = [set = std::move(field.set), origin](Scene& scene, const ordered_json& value,
                                                    const std::string& what) {
@@ -115,22 +134,34 @@ Field natural(Field field, Origin Origins::*origin) {
   return field;
 }
 
-/// Two members hold the background, of which only the colour has a value of its own.
-Field background(Field field) {
-  field.kind = Field::Kind::text;
-  field.set = [](Scene& scene, const ordered_json& value, const std::string& what) {
-    set_background(scene.look, value.get<std::string>(), what);
-  };
-  field.get = [](const Scene& scene) {
-    return scene.look.transparent ? ordered_json("transparent") : to_json(scene.look.background);
+/// A scene whose author chose the closed form of a rigid body then needs a method; one that is
+/// given is set later.
+Field without_closed_form(Field field) {
+  field.set = [set = std::move(field.set)](Scene& scene, const ordered_json& value,
+                                           const std::string& what) {
+    set(scene, value, what);
+    const bool is_exact = motion::find_method(scene.motion.method).exact();
+    if (is_exact && !scene.motion.is_rigid()) scene.motion.method = "taylor";
   };
   return field;
 }
 
-/// A material is not a value of its own: it is what the colour, the metalness and the roughness
-/// make.
+/// The background is stored in two members, Look::transparent and Look::background.
+Field background(Field field) {
+  field.form = {ValueForm::Kind::text, {}, color_names(), true};
+  field.form.names.emplace_back(transparent_name);
+  field.set = [](Scene& scene, const ordered_json& value, const std::string& what) {
+    set_background(scene.look, value.get<std::string>(), what);
+  };
+  field.get = [](const Scene& scene) {
+    return scene.look.transparent ? ordered_json(transparent_name) : to_json(scene.look.background);
+  };
+  return field;
+}
+
+/// A material is not stored: it is derived from the colour, the metalness and the roughness.
 Field material(Field field) {
-  field.kind = Field::Kind::text;
+  field.form = {ValueForm::Kind::text, {}, material_names()};
   field.help += listed(material_names());
   field.set = [](Scene& scene, const ordered_json& value, const std::string& what) {
     set_material(scene.look, find_material(value.get<std::string>(), what));
@@ -141,72 +172,152 @@ Field material(Field field) {
 
 /// For a number, and for each number of a vector.
 auto within(const limits::Limit& limit) {
-  return
-      [=](const auto& value, const std::string& what) { return limits::check(limit, what, value); };
+  return Conversion{{.limit = limit}, [=](const auto& value, const std::string& what) {
+                      return limits::check(limit, what, value);
+                    }};
 }
 
 auto whole_within(const limits::Limit& limit) {
-  return [=](double value, const std::string& what) {
-    return limits::check_whole(limit, what, value);
-  };
+  return Conversion{{.limit = limit}, [=](double value, const std::string& what) {
+                      return limits::check_whole(limit, what, value);
+                    }};
 }
 
-std::pair<int, int> whole_pixels(const std::array<double, 2>& size, const std::string& what) {
-  const auto check = whole_within(limits::pixels);
-  return {check(size[0], what), check(size[1], what)};
+auto whole_pixels() {
+  return Conversion{
+      {.limit = limits::pixels}, [](const std::array<double, 2>& size, const std::string& what) {
+        // Braces guarantee that the width is checked before the height.
+        return std::pair<int, int>{limits::check_whole(limits::pixels, what, size[0]),
+                                   limits::check_whole(limits::pixels, what, size[1])};
+      }};
 }
 
-Eigen::Vector3d angular_velocity(const Eigen::Vector3d& omega, const std::string& what) {
-  return limits::check_omega(what, omega);
+auto angular_velocity() {
+  return Conversion{{.limit = limits::coordinate},
+                    [](const Eigen::Vector3d& omega, const std::string& what) {
+                      return limits::check_omega(what, omega);
+                    }};
 }
 
-std::vector<Eigen::Vector3d> compared_velocities(const std::vector<Eigen::Vector3d>& velocities,
-                                                 const std::string& what) {
-  for (const Eigen::Vector3d& omega : velocities) limits::check_omega(what, omega);
-  if (velocities.size() > limits::max_compared) {
-    throw InvalidArgument(what,
-                          fmt::format("has {} velocities, but at most {} are drawn side by side",
-                                      velocities.size(), limits::max_compared));
-  }
-  return velocities;
+/// The identity is the default, so that a scene that gives it is the same as one that does not.
+auto initial_attitude() {
+  // The length is 1 within 0.1.
+  return Conversion{{.limit = limits::Limit{-1.1, 1.1}},
+                    [](const Eigen::Vector4d& quaternion,
+                       const std::string& what) -> std::optional<Eigen::Quaterniond> {
+                      const Eigen::Quaterniond attitude = limits::check_rotation(what, quaternion);
+                      if (attitude.vec().isZero(0.0)) return std::nullopt;
+                      return attitude;
+                    }};
 }
 
-std::string as_it_is(const std::string& text, const std::string& /*what*/) { return text; }
-
-std::string method_name(const std::string& name, const std::string& what) {
-  return std::string(motion::find_method(name, what).name);
+/// No wheel is the default, so that a scene that gives a zero one is the same as one without.
+auto wheel_momentum() {
+  return Conversion{{.limit = limits::angular_momentum},
+                    [](const Eigen::Vector3d& momentum,
+                       const std::string& what) -> std::optional<Eigen::Vector3d> {
+                      if (limits::check_wheel(what, momentum).isZero(0.0)) return std::nullopt;
+                      return momentum;
+                    }};
 }
 
-Texts compared_methods(const Texts& names, const std::string& what) {
-  for (const std::string& name : names) motion::find_method(name, what);
-  if (names.size() > limits::max_compared) {
-    throw InvalidArgument(what, fmt::format("has {} methods, but at most {} are drawn side by side",
-                                            names.size(), limits::max_compared));
-  }
+/// An infinite time is the default: no energy is lost.
+auto energy_loss_time() {
+  return Conversion{{.limit = limits::energy_loss_time},
+                    [](double time, const std::string& what) -> std::optional<double> {
+                      if (time == std::numeric_limits<double>::infinity()) return std::nullopt;
+                      return limits::check(limits::energy_loss_time, what, time);
+                    }};
+}
+
+auto compared_velocities() {
+  return Conversion{{.limit = limits::coordinate, .most = limits::max_compared},
+                    [](const std::vector<Eigen::Vector3d>& velocities, const std::string& what) {
+                      for (const Eigen::Vector3d& omega : velocities)
+                        limits::check_omega(what, omega);
+                      if (velocities.size() > limits::max_compared) {
+                        throw InvalidArgument(
+                            what, fmt::format("has {} velocities, but at most {} are drawn side by "
+                                              "side",
+                                              velocities.size(), limits::max_compared));
+                      }
+                      return velocities;
+                    }};
+}
+
+auto any_text() {
+  return Conversion{{}, [](const std::string& text, const std::string& /*what*/) { return text; }};
+}
+
+auto color() { return Conversion{{.names = color_names(), .is_color = true}, parse_color}; }
+
+Texts method_names() {
+  Texts names;
+  for (const motion::Method& method : motion::methods()) names.emplace_back(method.name);
   return names;
 }
 
-std::set<Feature> features(const Texts& names, const std::string& what) {
-  std::set<Feature> result;
-  for (const std::string& name : names) result.insert(find_enumerator<Feature>(name, what));
-  return result;
+auto method_name() {
+  return Conversion{{.names = method_names()},
+                    [](const std::string& name, const std::string& what) {
+                      return std::string(motion::find_method(name, what).name);
+                    }};
+}
+
+auto compared_methods() {
+  return Conversion{{.names = method_names(), .most = limits::max_compared},
+                    [](const Texts& names, const std::string& what) {
+                      for (const std::string& name : names) motion::find_method(name, what);
+                      if (names.size() > limits::max_compared) {
+                        throw InvalidArgument(
+                            what,
+                            fmt::format("has {} methods, but at most {} are drawn side by side",
+                                        names.size(), limits::max_compared));
+                      }
+                      return names;
+                    }};
+}
+
+auto features() {
+  return Conversion{{.names = enumerator_names<Feature>()},
+                    [](const Texts& names, const std::string& what) {
+                      std::set<Feature> result;
+                      for (const std::string& name : names) {
+                        result.insert(find_enumerator<Feature>(name, what));
+                      }
+                      return result;
+                    }};
 }
 
 }  // namespace
 
 const std::vector<Field>& fields() {
-  using enum Field::Kind;
+  using enum ValueForm::Kind;
   static const std::vector<Field> all{
       natural(complete<text>(
-                  {"", "title", "TEXT", "title shown in the picture"}, as_it_is,
+                  {"", "title", "TEXT", "title, a caption in the picture"}, any_text(),
                   [](auto& s) -> auto& { return s.title; }),
               &Origins::title),
 
       complete<vector>(
           {"motion", "omega", "X,Y,Z", "initial angular velocity in body axes, rad/s"},
-          angular_velocity, [](auto& s) -> auto& { return s.motion.omega; }),
+          angular_velocity(), [](auto& s) -> auto& { return s.motion.omega; }),
+      complete<quaternion>(
+          {"motion", "attitude", "W,X,Y,Z", "initial attitude X(0), space from body: a quaternion",
+           "1,0,0,0"},
+          initial_attitude(), [](auto& s) -> auto& { return s.motion.attitude; }),
+      without_closed_form(complete<vector>(
+          {"motion", "wheel", "X,Y,Z",
+           "angular momentum of a wheel relative to the body, in body axes, g cm^2/s", "none"},
+          wheel_momentum(), [](auto& s) -> auto& { return s.motion.wheel; })),
+      without_closed_form(complete<number>(
+          {"motion", "energy_loss_time", "S",
+           "time constant with which internal friction damps a small wobble about the axis of "
+           "greatest moment, s; inf for none",
+           "inf"},
+          energy_loss_time(), [](auto& s) -> auto& { return s.motion.energy_loss_time; })),
       complete<text>(
-          {"motion", "method", "NAME", "integration method"}, method_name,
+          {"motion", "method", "NAME", "integration method"}, method_name(),
           [](auto& s) -> auto& { return s.motion.method; }),
       natural(complete<number>(
                   {"motion", "step", "H", "step size, s; initial step size of adaptive methods",
@@ -222,7 +333,7 @@ const std::vector<Field>& fields() {
               within(limits::duration), [](auto& s) -> auto& { return s.motion.duration; }),
           &Origins::duration),
 
-      complete<size>({"film", "size", "WxH", "frame size in pixels"}, whole_pixels,
+      complete<size>({"film", "size", "WxH", "frame size in pixels"}, whole_pixels(),
                      [](auto& s) { return std::tie(s.film.width, s.film.height); }),
       natural(complete<number>(
                   {"film", "fps", "N", "frames (and output samples) per second",
@@ -252,7 +363,7 @@ const std::vector<Field>& fields() {
       complete<text>(
           {"look", "color", "COLOR", "body colour: #rrggbb, #rgb, black, gray or white",
            "the theme's"},
-          parse_color, [](auto& s) -> auto& { return s.look.color; }),
+          color(), [](auto& s) -> auto& { return s.look.color; }),
       complete<number>(
           {"look", "metallic", "F", "metalness of the body, 0 (paint) to 1 (metal)", "the theme's"},
           within(limits::fraction), [](auto& s) -> auto& { return s.look.metallic; }),
@@ -284,21 +395,21 @@ const std::vector<Field>& fields() {
       choice<View>(
           {"overlay", "view", "NAME", "view"}, [](auto& s) -> auto& { return s.overlay.view; }),
       complete<texts>(
-          {"overlay", "show", "LIST", "what is shown besides the body"}, features,
+          {"overlay", "show", "LIST", "overlays that are shown"}, features(),
           [](auto& s) -> auto& { return s.overlay.show; }),
       or_nothing(complete<texts>(
-          {"overlay", "stress", "LIST", "what is drawn stronger, everything else dimmer",
-           "nothing"},
-          features, [](auto& s) -> auto& { return s.overlay.stress; })),
+          {"overlay", "stress", "LIST",
+           "overlays that are drawn stronger; everything else is dimmer", "nothing"},
+          features(), [](auto& s) -> auto& { return s.overlay.stress; })),
       complete<texts>(
           {"overlay", "compare", "M1,M2,...", "show up to four methods side by side",
            "the motion's method"},
-          compared_methods, [](auto& s) -> auto& { return s.overlay.compare; }),
+          compared_methods(), [](auto& s) -> auto& { return s.overlay.compare; }),
       complete<vectors>(
           {"overlay", "compare_omega", "X,Y,Z;...",
            "show up to four motions side by side: their initial angular velocities, rad/s",
            "the motion's omega"},
-          compared_velocities, [](auto& s) -> auto& { return s.overlay.compare_omega; }),
+          compared_velocities(), [](auto& s) -> auto& { return s.overlay.compare_omega; }),
       complete<vector>(
           {"overlay", "trail_point", "X,Y,Z",
            "point that draws the trail, in the axes of the parts, cm", "the farthest point"},
@@ -308,7 +419,7 @@ const std::vector<Field>& fields() {
            "the time of a 12 rad rotation"},
           within(limits::trail_length), [](auto& s) -> auto& { return s.overlay.trail_length; }),
       complete<text>(
-          {"overlay", "font", "NAME", "font of all text: sans, mono or a font file"}, as_it_is,
+          {"overlay", "font", "NAME", "font of all text: sans, mono or a font file"}, any_text(),
           [](auto& s) -> auto& { return s.overlay.font; }),
   };
   return all;
@@ -321,6 +432,11 @@ std::vector<std::string> field_tables() {
     if (!known && !field.table.empty()) tables.push_back(field.table);
   }
   return tables;
+}
+
+Eigen::Vector4d to_quaternion(const ordered_json& value) {
+  return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>(),
+          value.at(3).get<double>()};
 }
 
 Eigen::Vector3d to_vector(const ordered_json& value) {

@@ -11,8 +11,8 @@ namespace twrench::scene {
 std::vector<std::string> languages();
 
 /// Loads a scene with captions, title and names of parts in a language. Throws as load_scene(), and
-/// InvalidArgument about `what`, with the languages that the scene has, if this is none of them. A
-/// scene file has one language, its own.
+/// InvalidArgument about `what`, listing the languages of the scene, if it has no text in this one.
+/// A scene file has a single language.
 Scene load_scene(const std::string& name_or_path, const std::string& language,
                  const std::string& what);
 

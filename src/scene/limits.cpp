@@ -22,6 +22,17 @@ void require_symmetric(const std::string& what, const Eigen::Matrix3d& inertia) 
       "give both the same value");
 }
 
+/// Throws unless the magnitude of a vector is zero or at least `least`.
+void require_not_tiny(const std::string& what, const Eigen::Vector3d& vector, double least,
+                      double most, const char* unit) {
+  const double size = vector.stableNorm();
+  if (size == 0 || size >= least) return;
+  throw OutOfRange(what,
+                   fmt::format("has magnitude {:.6g} {}, but must be zero or at least {:.6g}", size,
+                               unit, least),
+                   {size, least, most});
+}
+
 /// Throws unless the principal moments of a matrix with products of inertia are positive.
 void require_positive_definite(const std::string& what, const Eigen::Vector3d& moments) {
   if (moments.minCoeff() > 0) return;
@@ -54,12 +65,28 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 }
 
 Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega) {
-  const double rate = check(coordinate, what, omega).stableNorm();
-  if (rate == 0 || rate >= min_rotation_rate) return omega;
-  throw OutOfRange(what,
-                   fmt::format("has magnitude {:.6g} rad/s, but must be zero or at least {:.6g}",
-                               rate, min_rotation_rate),
-                   {rate, min_rotation_rate, coordinate.high});
+  require_not_tiny(what, check(coordinate, what, omega), min_rotation_rate, coordinate.high,
+                   "rad/s");
+  return omega;
+}
+
+Eigen::Vector3d check_wheel(const std::string& what, const Eigen::Vector3d& momentum) {
+  require_not_tiny(what, check(angular_momentum, what, momentum), min_wheel_momentum,
+                   angular_momentum.high, "g cm^2/s");
+  return momentum;
+}
+
+Eigen::Quaterniond check_rotation(const std::string& what, const Eigen::Vector4d& quaternion) {
+  constexpr double most_difference = 0.1, round_off = 1e-15;
+  const double norm = quaternion.stableNorm();
+  if (!(std::abs(norm - 1) <= most_difference)) {
+    throw InvalidArgument(what, fmt::format("has the length {:.6g}", norm),
+                          "a quaternion of a rotation has the length 1");
+  }
+  // A quaternion that is already of unit length keeps its bits.
+  const double divisor = std::abs(norm - 1) <= round_off ? 1 : norm;
+  const Eigen::Vector4d q = quaternion / divisor;
+  return {q[0], q[1], q[2], q[3]};
 }
 
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments) {
@@ -72,10 +99,8 @@ Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& mo
 }
 
 Eigen::Matrix3d check_inertia(const std::string& what, const Eigen::Matrix3d& inertia) {
-  // No entry of a positive definite matrix exceeds the largest on its diagonal.
-  constexpr Limit product{-moment.high, moment.high};
   check(moment, what, Eigen::Vector3d(inertia.diagonal()));
-  for (const double entry : inertia.reshaped()) check(product, what, entry);
+  for (const double entry : inertia.reshaped()) check(matrix_entry, what, entry);
   require_symmetric(what, inertia);
   // Adding zero makes each zero positive.
   const Eigen::Matrix3d symmetric = (inertia + inertia.transpose()).array() / 2 + 0.0;

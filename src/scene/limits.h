@@ -3,6 +3,7 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace twrench::scene::limits {
 struct Limit {
   /// The smallest and the largest allowed value.
   double low, high;
-  /// A note on the lower limit, where it needs one.
+  /// A note on the lower limit, if it needs one.
   std::string_view why_low = {};
 
   /// Returns whether the value is within the limits; false for NaN and infinities.
@@ -31,8 +32,13 @@ inline constexpr Limit mesh_scale{1e-12, 1e12};  // cm per unit of the file
 inline constexpr Limit density{1e-9, 1e6};       // g/cm^3
 inline constexpr Limit mass{1e-40, 1e40};        // g
 inline constexpr Limit moment{1e-60, 1e30};      // g cm^2
+// No entry of a positive definite matrix exceeds the largest on its diagonal.
+inline constexpr Limit matrix_entry{-moment.high, moment.high};  // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and components of directions
-inline constexpr Limit step{1e-15, 1e15};        // s
+// I omega of a body within the limits above.
+inline constexpr Limit angular_momentum{-moment.high * huge, moment.high* huge};  // g cm^2/s
+inline constexpr Limit energy_loss_time{1e-15, 1e15};                             // s
+inline constexpr Limit step{1e-15, 1e15};                                         // s
 inline constexpr Limit tolerance{motion::min_tolerance, 1,
                                  "the limit of double precision"};  // of the error estimate E
 inline constexpr Limit duration{1e-15, 1e15};                       // s
@@ -52,9 +58,10 @@ inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "strai
 inline constexpr Limit distance{0.2, 20};
 inline constexpr Limit trail_length{1e-15, 1e15};  // s of motion
 
-inline constexpr Limit shot_length{1e-3, 1e6};        // s of video
-inline constexpr Limit shot_speed{0, speed.high};     // s of motion per s of video
-inline constexpr Limit shot_start{0, duration.high};  // s of motion
+inline constexpr Limit shot_length{1e-3, 1e6};                // s of video
+inline constexpr Limit shot_transition{0, shot_length.high};  // s of video
+inline constexpr Limit shot_speed{0, speed.high};             // s of motion per s of video
+inline constexpr Limit shot_start{0, duration.high};          // s of motion
 
 /// The largest allowed ratio of principal moments. The axes are known to 1e-15 times that ratio,
 /// and beyond about 1e15 the smallest moment is not determined at all.
@@ -62,6 +69,10 @@ inline constexpr double max_moment_ratio = 1e12;
 
 /// The slowest rotation in rad/s: the square of a slower one would underflow in the energy.
 inline constexpr double min_rotation_rate = 1e-100;
+
+/// The smallest angular momentum of a wheel in g cm^2/s: the square of a smaller one would
+/// underflow.
+inline constexpr double min_wheel_momentum = 1e-150;
 
 inline constexpr std::size_t max_compared = 4;
 inline constexpr std::size_t max_shots = 1000;
@@ -75,11 +86,17 @@ Eigen::Vector3d check(const Limit& limit, const std::string& what, const Eigen::
 /// Checks an angular velocity in rad/s: each component is a coordinate, and the magnitude is zero
 /// or at least min_rotation_rate. Throws InvalidArgument.
 Eigen::Vector3d check_omega(const std::string& what, const Eigen::Vector3d& omega);
-/// Checks the principal moments of one body in g cm^2, whose ratio is limited too. Throws
-/// InvalidArgument.
+/// Checks the angular momentum of a wheel in g cm^2/s: each component is within angular_momentum,
+/// and the magnitude is zero or at least min_wheel_momentum. Throws InvalidArgument.
+Eigen::Vector3d check_wheel(const std::string& what, const Eigen::Vector3d& momentum);
+/// Returns the rotation of a quaternion (w, x, y, z) whose length is within 0.1 of 1, which allows
+/// numbers with few digits. Throws InvalidArgument.
+Eigen::Quaterniond check_rotation(const std::string& what, const Eigen::Vector4d& quaternion);
+/// Checks the principal moments of a body in g cm^2, and their ratio. Throws InvalidArgument.
 Eigen::Vector3d check_moments(const std::string& what, const Eigen::Vector3d& moments);
-/// Checks an inertia matrix in g cm^2: it is symmetric to 1e-12 of its largest entry, and its
-/// principal moments are those of one body. Returns it exactly symmetric. Throws InvalidArgument.
+/// Checks that an inertia matrix in g cm^2 is symmetric to 1e-12 of its largest entry, and that
+/// check_moments() allows its principal moments. Returns it exactly symmetric. Throws
+/// InvalidArgument.
 Eigen::Matrix3d check_inertia(const std::string& what, const Eigen::Matrix3d& inertia);
 /// Returns the density in g/cm^3 of a body whose mass is `grams` and whose volume is in cm^3.
 /// Throws InvalidArgument if the mass or the density exceeds its limits.

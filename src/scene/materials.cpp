@@ -7,9 +7,10 @@
 namespace twrench::scene {
 
 // The colours of steel (there: iron), brass and wood are those of the reference sheet "Material
-// Properties" of Google's renderer Filament. Its rubber, #353535, would be lost against a dark
-// background, and is lighter here. Rock reflects 0.3 of the light, as dry rock does, and is a
-// little warmer than grey. The others, and how rough each is, are chosen by eye.
+// Properties" of Google's renderer Filament. Its rubber, #353535, would be invisible against a dark
+// background, so it is lighter here. Rock reflects 0.3 of the light, as dry rock does, and is a
+// little warmer than grey. The other colours, and the roughness of each material, are chosen by
+// eye.
 const std::vector<Material>& materials() {
   static const std::vector<Material> all{
       {"steel", {192, 189, 186}, 1.0, 0.25}, {"brass", {244, 228, 173}, 1.0, 0.25},

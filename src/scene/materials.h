@@ -9,11 +9,11 @@
 
 namespace twrench::scene {
 
-/// A material that scene files and the command line know by its name.
+/// A material that scene files and the command line refer to by name.
 struct Material {
   /// Its name.
   std::string name;
-  /// Its colour: for a metal that of its reflection.
+  /// Its colour; for a metal, the colour of its reflection.
   Color color;
   /// Metalness, 0 (paint) to 1 (metal).
   double metallic;
@@ -38,7 +38,7 @@ void set_material(auto& look, const Material& material) {
   look.roughness = material.roughness;
 }
 
-/// Returns the name of the material that a Look or a PartLook shows, if it is one.
+/// Returns the name of the material that matches a Look or a PartLook, if any.
 std::optional<std::string> material_name(const auto& look) {
   const auto found = std::ranges::find_if(materials(), [&](const Material& material) {
     return look.color == material.color && look.metallic == material.metallic &&

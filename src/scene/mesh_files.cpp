@@ -58,7 +58,7 @@ const MeshEntry& MeshFiles::read(const std::string& file, const mesh::ReadOption
   once_more.search = options.shell == 0.0 && !is_read(true);
   const bool is_repeated = is_read(false);
   const MeshEntry& entry = entries_.emplace(key, load(file, once_more)).first->second;
-  constexpr std::size_t search_factor = 10;  // it takes so much more time
+  constexpr std::size_t search_factor = 10;  // a search takes this much longer
   const std::size_t triangles = entry.shape.surface->triangles.size();
   if (is_repeated) repeated_triangles_ += triangles * (once_more.search ? search_factor : 1);
   constexpr std::size_t most_repeated = 1'000'000;

@@ -26,18 +26,18 @@ struct MeshEntry {
 MeshEntry mesh_entry(mesh::MeshFile mesh, const std::string& file,
                      const std::filesystem::path& path, const mesh::ReadOptions& options);
 
-/// The meshes of a scene file, each of which is read once, however many parts are made of it.
+/// The meshes of a scene file. Each is read once, even if several parts use it.
 class MeshFiles {
  public:
-  /// Those of a scene file, whose paths start from the folder that it is in. Where there is no such
-  /// file, its name may be that of a built-in mesh.
+  /// The meshes of a scene file, with paths relative to its folder. If there is no such file, the
+  /// name may be that of a built-in mesh.
   static MeshFiles beside(const std::string& scene_file);
 
-  /// Those of a built-in scene, which are built in too.
+  /// The meshes of a built-in scene, which are also built in.
   static MeshFiles built_in() { return MeshFiles(std::nullopt); }
 
   /// Reads a mesh. Throws FileError, and InvalidArgument if the mesh is invalid or if too many
-  /// triangles are read again in other sizes: a short scene file must not take minutes.
+  /// triangles are read again with other options: a short scene file must not take minutes.
   const MeshEntry& read(const std::string& file, const mesh::ReadOptions& options);
 
  private:

@@ -19,7 +19,7 @@ bool are_close(double smaller, double larger, double tolerance) {
   return larger - smaller <= tolerance * larger;
 }
 
-/// Rounds to so many decimals, so that a scene is the same on every machine. Zero is positive.
+/// Rounds to that many decimals, so that a scene is the same on every machine. Zero is positive.
 double round_to(int decimals, double value) {
   const double unit = std::pow(10, decimals);
   return std::round(value * unit) / unit + 0.0;
@@ -42,7 +42,7 @@ Vector3d tilted(const Vector3d& axis, double angle) {
   return std::cos(angle) * forward + std::sin(angle) * across;
 }
 
-/// The name as a title, in one line.
+/// The name as a title on one line.
 std::string title_of(std::string name) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
   std::ranges::replace_if(name, is_control, ' ');

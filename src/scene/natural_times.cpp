@@ -16,8 +16,8 @@
 namespace twrench::scene {
 namespace {
 
-/// Rounds to so many significant digits. Returns the double that is nearest to the decimal number,
-/// so that it prints as that number.
+/// Rounds to that many significant digits. Returns the double nearest to the decimal number, so
+/// that it prints as that number.
 double rounded(double value, int digits) {
   const std::string text = fmt::format("{:.{}e}", value, digits - 1);
   double result = 0;
@@ -31,7 +31,7 @@ double within(const limits::Limit& limit, double value, int digits) {
 
 /// Returns the angular speed in rad/s that steps must resolve. A body whose moments differ by more
 /// than those of a real body turns far faster in a flip than before it; its speed is greatest or
-/// least where the component along the intermediate axis vanishes and halfway in between.
+/// least when the component along the intermediate axis vanishes, and halfway between these times.
 double speed_of(const motion::FreeBody& body, const motion::ExactMotion& motion) {
   double fastest = 0;
   if (const auto flips = motion.flips()) {
@@ -43,8 +43,19 @@ double speed_of(const motion::FreeBody& body, const motion::ExactMotion& motion)
   return speed > 0 ? speed : 1;
 }
 
+/// The same for a body in which something moves. A wheel makes it nutate even if it turns slowly,
+/// at up to |h| / sqrt(I1 I2). A step must also be shorter than a turn at FreeBody::fastest_rate(),
+/// which is far above the other rates if the least moment is tiny.
+double speed_of(const motion::FreeBody& body) {
+  const Eigen::Vector3d& I = body.principal().moments;
+  const double nutation = body.interior().wheel.stableNorm() / std::sqrt(I[0] * I[1]);
+  const double speed = std::max({body.initial_rate().stableNorm(), fastest_rate(body) / 2, nutation,
+                                 body.fastest_rate() / 100});
+  return speed > 0 ? speed : 1;
+}
+
 /// Returns a time in s that shows what happens to a body that turns once in `turn` seconds. A
-/// nutation is faster only with moments that no real body has.
+/// nutation is faster than a turn only with moments that no real body has.
 double duration_of(const motion::ExactMotion& motion, double turn) {
   constexpr double most_turns = 1000;
   if (const auto flips = motion.flips(); flips && flips->turns_over()) {
@@ -58,7 +69,17 @@ double duration_of(const motion::ExactMotion& motion, double turn) {
   return std::clamp(3 * period, fewest * std::min(turn, period), most * turn);
 }
 
-/// Returns a turn in s, or more or less for a video of a suitable length.
+/// The same for a body in which something moves: most of the energy that it can lose is lost after
+/// five time constants.
+double duration_of(const motion::FreeBody& body, double turn) {
+  constexpr double fewest = 16, most = 1000, time_constants = 5;
+  const double tau = body.interior().energy_loss_time;
+  return std::isfinite(tau) ? std::clamp(time_constants * tau, fewest * turn, most * turn)
+                            : fewest * turn;
+}
+
+/// Returns the speed in seconds of motion per second of video: a turn, or a longer or shorter time
+/// if the video would otherwise be too long or too short.
 double film_speed_of(double turn, double duration) {
   constexpr double shortest = 10, longest = 60;  // s of video
   return std::clamp(within(limits::speed, turn, 1), within(limits::speed, duration / longest, 2),
@@ -69,10 +90,12 @@ double film_speed_of(double turn, double duration) {
 
 NaturalTimes natural_times(const motion::FreeBody& body) {
   constexpr double radians_a_step = 0.01, samples_a_radian = 60;
-  const motion::ExactMotion motion(body);
-  const double speed = speed_of(body, motion);
+  std::optional<motion::ExactMotion> exact;
+  if (body.is_rigid()) exact.emplace(body);
+  const double speed = exact ? speed_of(body, *exact) : speed_of(body);
   const double turn = 2 * std::numbers::pi / speed;
-  const double duration = within(limits::duration, duration_of(motion, turn), 2);
+  const double shown = exact ? duration_of(*exact, turn) : duration_of(body, turn);
+  const double duration = within(limits::duration, shown, 2);
   return {.step = within(limits::step, radians_a_step / speed, 1),
           .sample_rate = rounded(samples_a_radian * speed, 1),
           .duration = duration,
@@ -80,10 +103,9 @@ NaturalTimes natural_times(const motion::FreeBody& body) {
 }
 
 NaturalTimes natural_times(const Scene& scene) {
-  const Eigen::Matrix3d inertia = mass_properties(scene.body).inertia;
   std::optional<NaturalTimes> all;
   for (const Eigen::Vector3d& omega : scene.overlay.compare_omega) {
-    const NaturalTimes times = natural_times(motion::FreeBody(inertia, omega));
+    const NaturalTimes times = natural_times(free_body(scene, omega));
     if (!all) all = times;
     all->step = std::min(all->step, times.step);
     all->sample_rate = std::max(all->sample_rate, times.sample_rate);
@@ -91,7 +113,7 @@ NaturalTimes natural_times(const Scene& scene) {
     all->duration = times.duration;
     all->speed = times.speed;
   }
-  return all ? *all : natural_times(motion::FreeBody(inertia, scene.motion.omega));
+  return all ? *all : natural_times(free_body(scene));
 }
 
 void set_natural_times(Scene& scene) {

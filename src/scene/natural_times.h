@@ -14,7 +14,8 @@ struct NaturalTimes {
   /// Samples per second of motion: 60 per radian.
   double sample_rate;
   /// Duration of the motion in s: three flips, at most 1000 turns. For a body that does not turn
-  /// over, three periods of the nutation, from 16 to 100 turns.
+  /// over, three periods of the nutation, from 16 to 100 turns. With energy loss five of its time
+  /// constants, from 16 to 1000 turns; with a wheel alone 16 turns.
   double duration;
   /// Seconds of motion per second of video: a turn, unless the video would then last less than 10 s
   /// or more than 60 s.
@@ -32,12 +33,12 @@ NaturalTimes natural_times(const Scene& scene);
 /// unless they were given.
 void set_natural_times(Scene& scene);
 
-/// Returns how many samples per second of motion a table of it has: the frame rate if the user gave
-/// it, or if the scene gives it and it suits the motion. Otherwise the natural rate.
+/// Returns the samples per second of motion in a table of it: the frame rate if the user gave it,
+/// or if the scene gives it and it suits the motion; otherwise the natural rate.
 double sample_rate(const Scene& scene);
 
-/// Replaces the body. What the scene's author gave for the other body no longer applies: its times,
-/// its title and its trail. The new title is neutral.
+/// Replaces the body. The times, the title and the trail that the scene's author chose for the
+/// previous body no longer apply. The new title is neutral.
 void replace_body(Scene& scene, Body body);
 
 }  // namespace twrench::scene

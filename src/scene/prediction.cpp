@@ -15,7 +15,8 @@ std::string axis_name(const Eigen::Matrix3d& axes, int axis) {
   return fmt::format("I{}", axis + 1);
 }
 
-std::string prediction(const body::PrincipalAxes& principal, int axis, double omega) {
+std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,
+                       double omega) {
   using Kind = motion::Stability::Kind;
   const motion::Stability stability = motion::stability(principal.moments, axis, omega);
   const std::string about =

@@ -11,8 +11,9 @@ namespace twrench::scene {
 /// coincides, or else I1, I2 or I3.
 std::string axis_name(const Eigen::Matrix3d& axes, int axis);
 
-/// Returns what a small tilt does of a body that rotates about a principal axis at `omega` rad/s,
-/// as in "unstable about x, doubles every 1.88 s at 1 rad/s".
-std::string prediction(const body::PrincipalAxes& principal, int axis, double omega);
+/// Describes the effect of a small tilt on a body that rotates about a principal axis at `omega`
+/// rad/s, such as "unstable about x, doubles every 1.88 s at 1 rad/s".
+std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,
+                       double omega);
 
 }  // namespace twrench::scene

@@ -79,7 +79,7 @@ std::vector<int> first_frames(const Scene& film) {
 }
 
 void set_background(Look& look, const std::string& text, const std::string& what) {
-  look.transparent = text == "transparent";
+  look.transparent = text == transparent_name;
   look.background.reset();
   if (!look.transparent) look.background = parse_color(text, what);
 }
@@ -89,6 +89,24 @@ body::MassProperties mass_properties(const Body& body) {
   const body::PrincipalAxes principal = body::principal_axes(*body.inertia);
   return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(), *body.inertia,
           principal.moments, principal.axes};
+}
+
+motion::FreeBody free_body(const Scene& scene, const Eigen::Vector3d& omega) {
+  const Motion& given = scene.motion;
+  motion::Interior interior;
+  if (given.wheel) interior.wheel = *given.wheel;
+  if (given.energy_loss_time) interior.energy_loss_time = *given.energy_loss_time;
+  Eigen::Matrix3d start = Eigen::Matrix3d::Identity();
+  if (given.attitude) start = given.attitude->toRotationMatrix();
+  return {mass_properties(scene.body).inertia, omega, start, interior};
+}
+
+motion::FreeBody free_body(const Scene& scene) { return free_body(scene, scene.motion.omega); }
+
+double fastest_rate(const motion::FreeBody& body) {
+  const double doubled_energy = body.omega().dot(body.inertia() * body.omega());
+  const double lost = body.energy_loss() * body.body_momentum().stableNorm();
+  return std::sqrt(doubled_energy / body.principal().moments[0]) * (1 + lost);
 }
 
 std::vector<body::Part> visible_parts(const Body& body) {

@@ -5,6 +5,7 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -24,7 +25,7 @@ namespace twrench::scene {
 
 /// How a part looks. Unset values are those of the scene's look.
 struct PartLook {
-  /// Colour of the part; vertex colours of a mesh go before it.
+  /// Colour of the part; vertex colours of a mesh take precedence.
   std::optional<Color> color;
   /// Metalness, 0 (paint) to 1 (metal).
   std::optional<double> metallic;
@@ -39,11 +40,11 @@ struct PartLook {
 struct MeshSource {
   /// The file as it was given, or the name of a built-in mesh.
   std::string file;
-  /// Where it was read; empty for a built-in mesh.
+  /// The path from which it was read; empty for a built-in mesh.
   std::filesystem::path path;
   /// The other files of which it consists: the buffers of a glTF file that are not in it.
   std::vector<std::filesystem::path> others = {};
-  /// Centimetres per unit of the file; nothing where its format says it.
+  /// Centimetres per unit of the file; nothing if its format determines it.
   std::optional<double> scale;
   /// Distance in cm within which vertices are joined; 0 joins only those that coincide.
   double weld = 0.0;
@@ -51,7 +52,7 @@ struct MeshSource {
   std::string sha256;
 };
 
-/// What a scene says of a part beside its shape, mass and place.
+/// The description of a part, except its shape, mass and placement.
 struct PartDescription {
   /// Its name; may be empty.
   std::string name;
@@ -59,7 +60,7 @@ struct PartDescription {
   PartLook look;
   /// Its file, for a mesh that was read from one.
   std::optional<MeshSource> mesh;
-  /// What was put right or left out in its mesh, a line each.
+  /// Notes on repairs to its mesh and on omitted data, one line each.
   std::vector<std::string> notes = {};
 };
 
@@ -78,7 +79,7 @@ struct Body {
   /// Inertia matrix about the centre of mass in body axes, in g cm^2; symmetric. A diagonal one is
   /// given and written as three principal moments.
   std::optional<Eigen::Matrix3d> inertia;
-  /// The descriptions of the parts, in their order, as far as they are given; see description().
+  /// The descriptions of the parts, in order; there may be fewer than parts. See description().
   std::vector<PartDescription> descriptions = {};
   /// The solid that is drawn if `inertia` is set.
   Equimomental drawn_as = Equimomental::box;
@@ -88,12 +89,21 @@ struct Body {
 struct Motion {
   /// Angular velocity at t = 0 in body axes, in rad/s.
   Eigen::Vector3d omega{1.0, 0.05, 0.0};
+  /// X(0), space_from_body, of unit length; nothing for the identity, as in the specification.
+  std::optional<Eigen::Quaterniond> attitude;
+  /// Angular momentum of a wheel relative to the body, in body axes, in g cm^2/s; nothing for none.
+  std::optional<Eigen::Vector3d> wheel;
+  /// Time constant of the energy loss in s, as in motion::Interior; nothing if no energy is lost.
+  std::optional<double> energy_loss_time;
   /// Name of the integration method.
   std::string method = "rkmk45";
   /// Step size and tolerance.
   motion::StepControl control;
   /// Duration of the motion in s.
   double duration = 96.0;
+
+  /// Returns whether nothing moves within the body.
+  bool is_rigid() const { return !wheel && !energy_loss_time; }
 };
 
 /// The frames of the video.
@@ -120,7 +130,7 @@ struct Look {
   int samples = 1;
   /// Poses averaged per frame, or more if the speed needs them; 1 = no motion blur.
   int motion_blur = 1;
-  /// Whether there is no background: alpha is then the coverage of what is drawn.
+  /// Whether the background is transparent; alpha is then the coverage of the drawing.
   bool transparent = false;
   /// A flat background colour.
   std::optional<Color> background;
@@ -132,10 +142,10 @@ struct Look {
   std::optional<double> roughness;
 };
 
-/// The frame of reference in which the camera stands, which coincides with space at t = 0.
+/// The frame of reference in which the camera stands. It coincides with space at t = 0.
 enum class Frame {
   space,     ///< An inertial frame.
-  body,      ///< Fixed in the body, which is at rest in it.
+  body,      ///< Fixed in the body, so that the body is at rest.
   rotating,  ///< Turns about L as the body would in a steady rotation: see motion::steady_frame.
 };
 
@@ -145,7 +155,7 @@ struct CameraPath {
   double azimuth = 0.0;
   /// Elevation above the xz plane, in rad.
   double elevation = 0.245;
-  /// Distance in units of the one at which the body in every pose just fits its pane.
+  /// Distance, in units of the distance at which the body just fits its pane in every pose.
   double distance = 1.0;
   /// Angular speed about the space y axis in rad per second of video.
   double orbit = 0.0;
@@ -155,7 +165,7 @@ struct CameraPath {
   Frame frame = Frame::space;
 };
 
-/// What can be shown besides the body.
+/// An element of the picture besides the body.
 enum class Feature {
   floor,       ///< The floor with the body's shadow and reflection.
   axes,        ///< The body's axes.
@@ -164,23 +174,23 @@ enum class Feature {
   trail,       ///< The trail of a point of the body, of the momentum, or of omega.
   plane,       ///< The invariable plane.
   labels,      ///< The names of arrows and axes.
-  hud,         ///< Title, time, flips, and a remark on what happens.
+  hud,         ///< Title, time, flips, and a remark on the motion.
   components,  ///< The nine components of X against time.
   sphere,      ///< The momentum sphere as an inset.
   poinsot,     ///< Poinsot's construction as an inset.
-  curve,       ///< One component of X, x11, large: which way the leg points.
+  curve,       ///< A large plot of one component of X, x11: the direction of the leg.
   method,      ///< The method, below the title.
   drift,       ///< The energy drift, beside the time.
   forces,      ///< The forces on the parts in the camera's frame, as arrows.
-  tilt,        ///< The tilt against L on a log scale, in place of the components.
+  tilt,        ///< The tilt against L on a log scale, instead of the components.
   moments,     ///< The principal moments as bars.
 };
 
-/// What the picture shows: the body, the momentum sphere, Poinsot's construction, or all of them
-/// with the components.
+/// The main content of the picture: the body, the momentum sphere, Poinsot's construction, or all
+/// three with the components.
 enum class View { wrench, momentum, poinsot, quad };
 
-/// A view without the body, and the feature that shows it beside the body.
+/// A view without the body, and the feature that shows this view as an inset beside the body.
 struct Inset {
   View view;
   Feature feature;
@@ -201,10 +211,10 @@ constexpr std::size_t inset_index(View view) {
 struct Overlay {
   /// The view.
   View view = View::wrench;
-  /// What is shown besides the body.
+  /// The features to show.
   std::set<Feature> show{Feature::floor,  Feature::momentum, Feature::omega,  Feature::trail,
                          Feature::labels, Feature::hud,      Feature::sphere, Feature::curve};
-  /// What is drawn stronger, while everything else is dimmed; empty stresses nothing.
+  /// The features to stress, by dimming everything else; empty stresses nothing.
   std::set<Feature> stress;
   /// Names of the methods shown side by side; empty shows only Motion::method.
   std::vector<std::string> compare;
@@ -225,7 +235,10 @@ struct Overlay {
   std::size_t motion_count() const;
 };
 
-/// Sets the background to "transparent" or a colour. Throws InvalidArgument about `what`.
+/// The name of the transparent background.
+inline constexpr const char* transparent_name = "transparent";
+
+/// Sets the background to transparent_name or a colour. Throws InvalidArgument about `what`.
 void set_background(Look& look, const std::string& text, const std::string& what);
 
 /// The origin of a value that otherwise follows from the motion or the body.
@@ -247,10 +260,9 @@ inline constexpr std::array all_origins{&Origins::title, &Origins::step, &Origin
 
 struct Shot;
 
-/// Everything that determines a video. The values have defaults that a scene file or the command
-/// line overrides.
+/// Everything that determines a video. A scene file or the command line overrides the defaults.
 struct Scene {
-  /// Name of the scene, from which output names derive: letters, digits, '-' and '_'.
+  /// Name of the scene: letters, digits, '-' and '_'. Default names of outputs are derived from it.
   std::string name;
   /// Title shown in the picture; may be empty.
   std::string title;
@@ -272,8 +284,8 @@ struct Scene {
   /// all of them, and so is whether the background is transparent. Empty for a film of one motion.
   std::vector<Shot> shots;
 
-  /// The caption of a shot; empty where the shot has none but others of its film do, so that the
-  /// room for it stays free. Nothing in a film without captions.
+  /// The caption of a shot. It is empty if only other shots of the film have captions; the space
+  /// for it then stays free. Nothing in a film without captions.
   std::optional<std::string> caption;
   /// The length of a shot in s of video; nothing outside of shots.
   std::optional<double> length;
@@ -281,8 +293,8 @@ struct Scene {
   /// Returns the title, or the name if there is none.
   const std::string& shown_title() const { return title.empty() ? name : title; }
 
-  /// Returns the number of frames: round(duration * fps / speed), or as many as the shots have.
-  /// Throws InvalidArgument unless it is 1 to 10^7.
+  /// Returns the number of frames: round(duration * fps / speed), or that of all shots. Throws
+  /// InvalidArgument unless it is 1 to 10^7.
   int frame_count() const;
 
   /// Returns the length of the video in s: of the shot, of all shots, or duration / speed.
@@ -291,8 +303,8 @@ struct Scene {
 
 /// A shot: a part of a film with its own motion, camera and overlays.
 struct Shot {
-  /// What the shot shows: the film's scene with the shot's own values, and without shots. Its
-  /// motion's duration is what the curves that are drawn cover.
+  /// The scene of the shot: the film's scene with the shot's own values, and without shots. The
+  /// curves in the picture cover the duration of its motion.
   Scene scene;
   /// Seconds of video for which the previous shot fades into this one, at its start.
   double fade = 0.0;
@@ -302,26 +314,35 @@ struct Shot {
   double start = 0.0;
   /// Seconds of motion per second of video, against the time since the start of the shot.
   SpeedCurve speed;
-  /// Where it stands in its file, for messages: "FILE:LINE: shot[2]".
+  /// Its location in the file, for messages: "FILE:LINE: shot[2]".
   std::string place;
 
   /// Returns the time of the motion in s that many seconds of video after the shot's start.
   double time_of(double seconds) const { return start + speed.integral(seconds); }
 };
 
-/// Returns the number of each shot's first frame, and at the end the number of all frames of the
-/// shots: shots begin at whole frames.
+/// Returns the index of each shot's first frame, followed by the total number of frames. Shots
+/// begin at whole frames.
 std::vector<int> first_frames(const Scene& film);
 
 /// Returns the mass properties of the scene's body. If it is given by its inertia alone, the mass
 /// is NaN and the centre of mass 0.
 body::MassProperties mass_properties(const Body& body);
 
+/// Returns the scene's body with the initial condition of its motion.
+motion::FreeBody free_body(const Scene& scene);
+
+/// Returns the scene's body with another angular velocity at t = 0, in body axes, in rad/s.
+motion::FreeBody free_body(const Scene& scene, const Eigen::Vector3d& omega);
+
+/// Returns an upper bound of |omega| in rad/s at all times t >= 0: the energy never increases, so
+/// that |w| is at most sqrt(2 E / I1).
+double fastest_rate(const motion::FreeBody& body);
+
 /// Returns the parts to draw, relative to the centre of mass: the body's own, or equimomental ones.
 std::vector<body::Part> visible_parts(const Body& body);
 
-/// Returns the description of a visible part; that of one of which nothing is said has its default
-/// values.
+/// Returns the description of a visible part, with default values if the body has none for it.
 PartDescription description(const Body& body, std::size_t part);
 
 /// Parts of a body with the same name.
@@ -335,23 +356,23 @@ struct PartGroup {
 /// Returns the parts of a body by their names, in the order in which these first appear.
 std::vector<PartGroup> part_groups(const Body& body);
 
-/// Returns the notes on the meshes of a scene and its shots, each with the name of its file and
-/// once.
+/// Returns the notes on the meshes of a scene and its shots, each once and with the name of its
+/// file.
 std::vector<std::string> mesh_notes(const Scene& scene);
 
-/// Returns the same of a body.
+/// Returns the notes on the meshes of a body.
 std::vector<std::string> mesh_notes(const Body& body);
 
-/// Returns the files that a scene was made of beside its own: meshes and a font, those of its shots
-/// included.
+/// Returns the files that a scene uses besides its own file: meshes and a font, including those of
+/// its shots.
 std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 /// Returns the names of the built-in scenes.
 std::vector<std::string> builtin_scene_names();
 
-/// Returns whether that is a path and not the name of a built-in scene: it ends in ".toml" or as
-/// meshes do (in upper or lower case), contains a folder, or is an existing file but no built-in
-/// name.
+/// Returns whether the text is a path instead of the name of a built-in scene: it has the extension
+/// ".toml" or that of a mesh (in upper or lower case), contains a folder, or is an existing file
+/// but no built-in name.
 bool is_scene_file(const std::string& name_or_path);
 
 /// Loads a scene from a scene file or a mesh, or a built-in one. A mesh has the unit of its file

@@ -21,10 +21,10 @@ namespace twrench::scene {
 namespace {
 
 bool has_ending_of_scenes(const std::string& path) {
-  return in_small_letters(std::filesystem::path(path).extension().string()) == ".toml";
+  return to_lower(std::filesystem::path(path).extension().string()) == ".toml";
 }
 
-/// The parser's message, without the name of the macro that sets the limit.
+/// The parser's message, except the one that contains the name of a macro.
 std::string reason_of(const toml::parse_error& error) {
   const std::string_view description = error.description();
   if (description.find("TOML_MAX_NESTED_VALUES") == std::string_view::npos) {
@@ -59,6 +59,7 @@ Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) 
   for (const std::string& name : field_tables()) {
     file.table(name, [&](TomlTable& table) { read_fields(table, name, scene); });
   }
+  require_interior(file, scene);
   mark_as_of_scene(scene);
   set_natural_times(scene);
   read_shots(file, scene, meshes);

@@ -23,7 +23,7 @@ void add_dimensions(ordered_json& json, body::Shape shape) {
   }
 }
 
-/// SHA-256 of a mesh that is of no file.
+/// SHA-256 of a mesh that was not read from a file.
 std::string digest_of(const body::TriangleMesh& mesh) {
   std::vector<std::uint8_t> bytes;
   const auto add = [&](const auto& values) {
@@ -36,7 +36,7 @@ std::string digest_of(const body::TriangleMesh& mesh) {
   return system::sha256_hex(bytes);
 }
 
-/// The digest tells a file before it was changed from the file afterwards.
+/// The digest reveals a change of the file.
 void add_mesh(ordered_json& json, const body::Mesh& mesh, const PartDescription& description) {
   if (const auto& source = description.mesh) {
     json["file"] = source->file;
@@ -73,8 +73,8 @@ ordered_json parts_json(const Body& body) {
   return json;
 }
 
-/// Returns the object under that name. It is created as one: a null value that the library turns
-/// into an object when it is used as one does not survive a lack of memory.
+/// Returns the object with that name. It is created explicitly, because the implicit conversion of
+/// a null value to an object is not safe when memory runs out.
 ordered_json& table_in(ordered_json& json, const std::string& name) {
   return name.empty() ? json : *json.emplace(name, ordered_json::object()).first;
 }

@@ -5,13 +5,14 @@
 
 #include "base/enumeration.h"
 #include "scene/fields.h"
+#include "scene/interior.h"
 #include "scene/limits.h"
 #include "scene/part_tables.h"
 
 namespace twrench::scene {
 namespace {
 
-/// Reads the inertia matrix from the only one of the two keys that [body] has.
+/// Reads the inertia matrix from whichever of its two keys [body] has.
 Eigen::Matrix3d read_inertia(TomlTable& table) {
   if (const auto matrix = table.matrix("inertia")) {
     if (!table.has("moments")) return limits::check_inertia(table.place("inertia"), *matrix);
@@ -56,9 +57,13 @@ Body read_body(TomlTable& file, MeshFiles& meshes) {
 void read_fields(TomlTable& file, const std::string& name, Scene& scene) {
   for (const Field& field : fields()) {
     if (field.table != name) continue;
-    const auto value = file.value(field.key, field.kind);
+    const auto value = file.value(field.key, field.form.kind);
     if (value) field.set(scene, *value, file.place(field.key));
   }
+}
+
+void require_interior(const TomlTable& table, const Scene& scene) {
+  check_interior(scene, [&](const std::string& key) { return table.place("motion", key); });
 }
 
 }  // namespace twrench::scene

@@ -10,6 +10,7 @@
 #include "base/nearest.h"
 #include "scene/dimensions.h"
 #include "scene/fields.h"
+#include "scene/interior.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
 
@@ -24,23 +25,25 @@ bool is_array_of(const ordered_json& value, std::size_t count, bool (ordered_jso
 }
 
 /// Throws unless the value has that form.
-void require_form(Field::Kind kind, const ordered_json& value, const std::string& what) {
+void require_form(ValueForm::Kind kind, const ordered_json& value, const std::string& what) {
   const auto require = [&](bool has_form, const char* form) {
     if (!has_form) throw InvalidArgument(what, fmt::format("must be {}", form));
   };
   switch (kind) {
-    case Field::Kind::number:
-    case Field::Kind::integer:
+    case ValueForm::Kind::number:
+    case ValueForm::Kind::integer:
       return require(value.is_number(), "a number");
-    case Field::Kind::vector:
+    case ValueForm::Kind::vector:
       return require(is_array_of(value, 3, &ordered_json::is_number), "an array of 3 numbers");
-    case Field::Kind::size:
+    case ValueForm::Kind::quaternion:
+      return require(is_array_of(value, 4, &ordered_json::is_number), "an array of 4 numbers");
+    case ValueForm::Kind::size:
       return require(is_array_of(value, 2, &ordered_json::is_number), "an array of 2 numbers");
-    case Field::Kind::text:
+    case ValueForm::Kind::text:
       return require(value.is_string(), "a string");
-    case Field::Kind::texts:
+    case ValueForm::Kind::texts:
       return require(is_array_of(value, 0, &ordered_json::is_string), "an array of strings");
-    case Field::Kind::vectors:
+    case ValueForm::Kind::vectors:
       return require(value.is_array() && std::ranges::all_of(value,
                                                              [](const ordered_json& entry) {
                                                                return is_array_of(
@@ -51,18 +54,24 @@ void require_form(Field::Kind kind, const ordered_json& value, const std::string
   }
 }
 
-/// Throws unless the part is one that a scene file may have.
+/// Throws unless a scene file could contain the part.
 void require_allowed(const body::Part& part, const std::string& what) {
   check_dimensions(part.shape, [&](const std::string& key) { return what + "." + key; });
   limits::check(limits::density, what + ".density", part.density);
   limits::check(limits::coordinate, what + ".position", part.position);
 }
 
-/// Throws if each shot determines the value for itself.
+/// Throws if each shot has its own value.
 void require_without_shots(const Scene& scene, const std::string& key) {
   if (scene.shots.empty()) return;
   throw InvalidArgument(key, "each shot of " + scene.name + " has its own",
                         "change the shots in the scene file");
+}
+
+/// Throws unless the body and the motion of the scene and of each shot suit each other.
+void require_interiors(const Scene& scene) {
+  check_interior(scene, [](const std::string& key) { return key; });
+  for (const Shot& shot : scene.shots) require_interiors(shot.scene);
 }
 
 }  // namespace
@@ -74,11 +83,12 @@ void set_value(Scene& scene, const std::string& key, const ordered_json& value) 
     std::ranges::transform(fields(), std::back_inserter(keys), &Field::key);
     throw unknown_name("scene", key, keys);
   }
-  require_form(field->kind, value, key);
+  require_form(field->form.kind, value, key);
   if (key == "omega" || key == "duration" || key == "speed") require_without_shots(scene, key);
   Scene changed = scene;
   field->set(changed, value, key);
   for (Shot& shot : changed.shots) field->set(shot.scene, value, key);
+  require_interiors(changed);
   set_natural_times(changed);
   scene = std::move(changed);
 }
@@ -97,8 +107,11 @@ void set_body(Scene& scene, Body body) {
   } else {
     limits::check_moments("body", mass_properties(body).moments);
   }
-  replace_body(scene, std::move(body));
-  set_natural_times(scene);
+  Scene changed = scene;
+  replace_body(changed, std::move(body));
+  require_interiors(changed);
+  set_natural_times(changed);
+  scene = std::move(changed);
 }
 
 }  // namespace twrench::scene

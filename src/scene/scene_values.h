@@ -7,11 +7,12 @@
 
 namespace twrench::scene {
 
-// Changes of a scene by a program, checked as a scene file is. Each throws InvalidArgument about
-// the key, and then changes nothing.
+// Changes to a scene by a program, with the same checks as for a scene file. On failure each throws
+// InvalidArgument about the key and leaves the scene unchanged.
 
-/// Sets the field with that key, also in all shots, to a value in the form of scene_json(). The
-/// angular velocity, the duration and the speed of a film with shots are each shot's own.
+/// Sets the field with that key, also in all shots, to a value in the form of scene_json(). In a
+/// film with shots, the angular velocity, the duration and the speed cannot be set, because each
+/// shot has its own.
 void set_value(Scene& scene, const std::string& key, const nlohmann::ordered_json& value);
 
 /// Replaces the body of a scene without shots.

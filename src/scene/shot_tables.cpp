@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/keys.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
 #include "scene/scene_tables.h"
@@ -13,8 +14,8 @@
 namespace twrench::scene {
 namespace {
 
-/// Returns the speed in seconds of motion per second of video: a number, or pairs of a time in s
-/// of the shot and the speed then.
+/// Returns the speed in seconds of motion per second of video: a number, or pairs of a time in the
+/// shot, in s, and the speed at that time.
 SpeedCurve read_speed(TomlTable& table, double length, double otherwise) {
   const std::string place = table.place("speed");
   const auto pairs = table.number_or_pairs("speed");
@@ -33,7 +34,7 @@ SpeedCurve read_speed(TomlTable& table, double length, double otherwise) {
   return curve;
 }
 
-/// Throws if the shot sets what must be the same in the whole film.
+/// Throws if the shot sets a value that must be the same in the whole film.
 void require_of_film(const TomlTable& table, const Scene& shot, const Scene& film) {
   if (table.has("font") || shot.look.transparent != film.look.transparent) {
     throw InvalidArgument(table.place(table.has("font") ? "font" : "background"),
@@ -41,12 +42,12 @@ void require_of_film(const TomlTable& table, const Scene& shot, const Scene& fil
   }
 }
 
-/// Reads the tables that a shot has in common with the scene. Returns the duration of the motion
-/// if the shot sets it, otherwise 0.
+/// Reads the tables that a shot shares with the scene. Returns the duration of the motion if the
+/// shot sets it, otherwise 0.
 double read_scene(TomlTable& table, Scene& shot, const Scene& film, MeshFiles& meshes) {
   if (table.has("part") || table.has("body")) shot.body = read_body(table, meshes);
   double duration = 0;
-  for (const char* name : {"motion", "look", "camera", "overlay"}) {
+  for (const char* name : field_tables_of_shots) {
     table.table(name, [&](TomlTable& fields) {
       read_fields(fields, name, shot);
       require_of_film(fields, shot, film);
@@ -60,16 +61,22 @@ bool shows_one_body(const Scene& scene) {
   return scene.overlay.view == View::wrench && scene.overlay.motion_count() == 1;
 }
 
-/// What a motion starts from.
+/// The body and the initial conditions that determine a motion.
 struct Start {
   explicit Start(const Scene& scene)
       : inertia(mass_properties(scene.body).inertia),
         omega(scene.motion.omega),
+        attitude(scene.motion.attitude),
+        wheel(scene.motion.wheel),
+        energy_loss_time(scene.motion.energy_loss_time),
         compared(scene.overlay.compare_omega) {}
   bool operator==(const Start&) const = default;
 
   Eigen::Matrix3d inertia;
   Eigen::Vector3d omega;
+  std::optional<Eigen::Quaterniond> attitude;
+  std::optional<Eigen::Vector3d> wheel;
+  std::optional<double> energy_loss_time;
   std::vector<Eigen::Vector3d> compared;
 };
 
@@ -80,16 +87,16 @@ class ShotReader {
 
   void read(TomlTable& table);
 
-  /// Returns the shots. The motion of each lasts until no shot of the same motion needs it, unless
-  /// the shot says otherwise.
+  /// Returns the shots. Each motion lasts until the end of the last shot that shows it, unless the
+  /// shot sets its duration.
   std::vector<Shot> finish();
 
  private:
   /// A motion that one or more shots show.
   struct Shown {
     Start start;
-    double end = 0;     ///< Where the last shot of it ended, in s.
-    double needed = 0;  ///< How long it lasts at least, in s.
+    double end = 0;     ///< Time at which its last shot ended, in s.
+    double needed = 0;  ///< Minimum duration, in s.
   };
 
   double read_transition(TomlTable& table, const std::string& key, double length) const;
@@ -103,11 +110,11 @@ class ShotReader {
   std::size_t parts_ = 0;  ///< Number of parts in all shots.
 };
 
-/// A time in s that the shot's start has room for; 0 if it is not given.
+/// The duration in s of a transition at the shot's start, within its length; 0 if it is not given.
 double ShotReader::read_transition(TomlTable& table, const std::string& key, double length) const {
-  const auto given = table.value(key, Field::Kind::number);
+  const auto given = table.value(key, ValueForm::Kind::number);
   const double time = given ? given->get<double>() : 0;
-  if (!given || limits::check({0, limits::shot_length.high}, table.place(key), time) == 0) return 0;
+  if (!given || limits::check(limits::shot_transition, table.place(key), time) == 0) return 0;
   if (shots_.empty()) {
     throw InvalidArgument(table.place(key), "must be 0 in the first shot, which follows no other");
   }
@@ -133,9 +140,10 @@ void ShotReader::read(TomlTable& table) {
   shot.scene = film_;
   const double length = table.required_number("length", limits::shot_length);
   shot.scene.length = length;
-  const auto caption = table.value("caption", Field::Kind::text);
+  const auto caption = table.value("caption", ValueForm::Kind::text);
   shot.scene.caption = caption ? caption->get<std::string>() : std::string();
   const double duration = read_scene(table, shot.scene, film_, meshes_);
+  require_interior(table, shot.scene);
   set_natural_times(shot.scene);
   shot.scene.motion.duration = duration;
   parts_ += shot.scene.body.parts.size();
@@ -153,7 +161,7 @@ void ShotReader::read(TomlTable& table) {
   if (shot.speed.fastest() > 0) shot.scene.film.speed = shot.speed.fastest();
   shot.scene.origins.duration = shot.scene.origins.speed = Origin::scene;
   motion_of_shot_.push_back(motion_of(shot.scene));
-  const auto start = table.value("start", Field::Kind::number);
+  const auto start = table.value("start", ValueForm::Kind::number);
   double& end = motions_[motion_of_shot_.back()].end;
   shot.start =
       start ? limits::check(limits::shot_start, table.place("start"), start->get<double>()) : end;
@@ -162,7 +170,7 @@ void ShotReader::read(TomlTable& table) {
 }
 
 std::vector<Shot> ShotReader::finish() {
-  std::vector<double> ends;  // of the shots, and of what is seen of them in the next
+  std::vector<double> ends;  // of the shots, including transitions to the next
   for (std::size_t i = 0; i < shots_.size(); ++i) {
     const bool last = i + 1 == shots_.size();
     const double after = last ? 0 : std::max(shots_[i + 1].fade, shots_[i + 1].move);

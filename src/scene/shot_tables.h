@@ -7,8 +7,8 @@
 namespace twrench::scene {
 
 /// Reads the [[shot]] tables of a scene file into `film`, whose other values are complete. Throws
-/// InvalidArgument, naming the shot and the line, for shots that no film can be made of, and
-/// FileError where a mesh cannot be read.
+/// InvalidArgument, naming the shot and the line, for invalid shots, and FileError if a mesh cannot
+/// be read.
 void read_shots(TomlTable& file, Scene& film, MeshFiles& meshes);
 
 }  // namespace twrench::scene

@@ -6,13 +6,15 @@
 #include <algorithm>
 
 #include "base/nearest.h"
+#include "scene/fields.h"
 
 namespace twrench::scene {
 namespace {
 
 using nlohmann::ordered_json;
 
-// Each returns the value of a node, and throws InvalidArgument about `what` if it has another form.
+// Each returns the value of a node. Throws InvalidArgument about `what` if the value has another
+// form.
 
 double number(const toml::node& node, const std::string& what) {
   // Not value<double>(), which returns nothing for an integer that no double represents exactly.
@@ -60,27 +62,36 @@ std::string TomlTable::place(const std::string& key) const {
   return fmt::format("{}:{}: {}{}{}", source_, line, path_, both ? "." : "", key);
 }
 
+std::string TomlTable::place(const std::string& sub_table, const std::string& key) const {
+  const std::string path = path_.empty() ? sub_table : path_ + "." + sub_table;
+  const auto* table = table_.get_as<toml::table>(sub_table);
+  const bool has_key = table != nullptr && table->contains(key);
+  return TomlTable(has_key ? *table : table_, source_, path).place(key);
+}
+
 const toml::node* TomlTable::find(const std::string& key) {
   known_.insert(key);
   return table_.get(key);
 }
 
-std::optional<ordered_json> TomlTable::value(const std::string& key, Field::Kind kind) {
+std::optional<ordered_json> TomlTable::value(const std::string& key, ValueForm::Kind kind) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   switch (kind) {
-    case Field::Kind::number:
-    case Field::Kind::integer:
+    case ValueForm::Kind::number:
+    case ValueForm::Kind::integer:
       return number(*node, place(key));
-    case Field::Kind::vector:
+    case ValueForm::Kind::vector:
       return numbers(*node, 3, place(key));
-    case Field::Kind::size:
+    case ValueForm::Kind::quaternion:
+      return numbers(*node, 4, place(key));
+    case ValueForm::Kind::size:
       return numbers(*node, 2, place(key));
-    case Field::Kind::text:
+    case ValueForm::Kind::text:
       return text(*node, "must be a string", place(key));
-    case Field::Kind::texts:
+    case ValueForm::Kind::texts:
       return texts(*node, place(key));
-    case Field::Kind::vectors:
+    case ValueForm::Kind::vectors:
       return vectors(*node, place(key));
   }
   return std::nullopt;
@@ -119,27 +130,27 @@ std::optional<Eigen::Matrix3d> TomlTable::matrix(const std::string& key) {
   return matrix;
 }
 
-ordered_json TomlTable::required(const std::string& key, Field::Kind kind) {
+ordered_json TomlTable::required(const std::string& key, ValueForm::Kind kind) {
   if (auto found = value(key, kind)) return *found;
   throw InvalidArgument(place(key), "is missing");
 }
 
 Eigen::Vector3d TomlTable::vector(const std::string& key, const limits::Limit& limit,
                                   const Eigen::Vector3d& otherwise) {
-  const auto found = value(key, Field::Kind::vector);
+  const auto found = value(key, ValueForm::Kind::vector);
   return found ? limits::check(limit, place(key), to_vector(*found)) : otherwise;
 }
 
 double TomlTable::required_number(const std::string& key, const limits::Limit& limit) {
-  return limits::check(limit, place(key), required(key, Field::Kind::number).get<double>());
+  return limits::check(limit, place(key), required(key, ValueForm::Kind::number).get<double>());
 }
 
 Eigen::Vector3d TomlTable::required_vector(const std::string& key, const limits::Limit& limit) {
-  return limits::check(limit, place(key), to_vector(required(key, Field::Kind::vector)));
+  return limits::check(limit, place(key), to_vector(required(key, ValueForm::Kind::vector)));
 }
 
 std::string TomlTable::required_text(const std::string& key) {
-  return required(key, Field::Kind::text).get<std::string>();
+  return required(key, ValueForm::Kind::text).get<std::string>();
 }
 
 void TomlTable::table(const std::string& key, const std::function<void(TomlTable&)>& read) {

@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "scene/fields.h"
 #include "scene/limits.h"
+#include "scene/value_form.h"
 
 namespace twrench::scene {
 
 /// A TOML table that is read key by key into values that already hold their defaults. Every
-/// mistake, including a key that is never requested (reported by finish()), is a InvalidArgument
-/// that names file, line, key and what is allowed.
+/// mistake, including a key that is never requested (reported by finish()), is an InvalidArgument
+/// that names the file, the line, the key and the allowed values.
 class TomlTable {
  public:
   /// `path` names the table in messages: "motion", "part[2]"; empty for the whole file.
@@ -28,10 +28,10 @@ class TomlTable {
   bool has(const std::string& key) const { return table_.contains(key); }
 
   /// Returns the value in the form of `kind`, or nothing if the key is absent.
-  std::optional<nlohmann::ordered_json> value(const std::string& key, Field::Kind kind);
+  std::optional<nlohmann::ordered_json> value(const std::string& key, ValueForm::Kind kind);
 
-  /// Returns the numbers of an array of pairs, or a number alone as the pair of 0 and it; nothing
-  /// if the key is absent.
+  /// Returns the numbers of an array of pairs. A single number x is returned as the pair (0, x).
+  /// Nothing if the key is absent.
   std::optional<std::vector<std::array<double, 2>>> number_or_pairs(const std::string& key);
 
   /// Returns the matrix of three rows, or nothing if the key is absent.
@@ -41,7 +41,7 @@ class TomlTable {
   Eigen::Vector3d vector(const std::string& key, const limits::Limit& limit,
                          const Eigen::Vector3d& otherwise);
 
-  /// Each throws InvalidArgument if the key is absent.
+  /// Return a required value. Throw InvalidArgument if the key is absent.
   double required_number(const std::string& key, const limits::Limit& limit);
   Eigen::Vector3d required_vector(const std::string& key, const limits::Limit& limit);
   std::string required_text(const std::string& key);
@@ -55,12 +55,15 @@ class TomlTable {
   /// is empty.
   std::string place(const std::string& key) const;
 
+  /// Returns the place of a key of a sub-table, or of this table if it does not have that key.
+  std::string place(const std::string& sub_table, const std::string& key) const;
+
   /// Throws InvalidArgument if the table has a key that was not requested.
   void finish() const;
 
  private:
   const toml::node* find(const std::string& key);
-  nlohmann::ordered_json required(const std::string& key, Field::Kind kind);
+  nlohmann::ordered_json required(const std::string& key, ValueForm::Kind kind);
 
   const toml::table& table_;
   std::string source_;

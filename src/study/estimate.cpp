@@ -10,7 +10,7 @@
 namespace twrench::study {
 
 double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step) {
-  for (const double entry : step.after.reshaped()) require_finite("after", entry);
+  require_finite_entries("after", step.after);
   static const motion::Method& exact = motion::find_method("exact");
   return (step.after - motion::take_step(body, exact, step.before, step.length).X).norm();
 }

@@ -6,7 +6,8 @@
 namespace twrench::study {
 namespace {
 
-/// The largest number of the form 1, 2 or 5 times a power of ten that does not exceed x > 0.
+/// Returns the largest number of the form 1, 2 or 5 times a power of ten that does not exceed x >
+/// 0.
 double round_number_below(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
   for (const double digit : {5.0, 2.0}) {

@@ -7,8 +7,8 @@
 namespace twrench::study {
 
 /// Returns step sizes in s from coarse to fine, each half the previous one, for a motion of
-/// `duration` seconds at `speed` rad/s: from a round number of seconds of at most 0.2 rad per step,
-/// down to what takes 200,000 steps; at most eight.
+/// `duration` seconds at `speed` rad/s: at most eight, from a round number of seconds with about
+/// 0.2 rad per step or less, down to at most 200,000 steps.
 std::vector<double> step_ladder(double duration, double speed);
 
 /// Returns a round number of seconds in which the body rotates by about 10 rad, or the duration if

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t time_parts = 200;
 
-/// CPU time of one call in s: the mean over as many calls as take 2 ms, because the clock is
-/// coarse.
+/// Returns the CPU time of one call in s, averaged over at least 2 ms of calls, because the clock
+/// is coarse.
 template <typename Call>
 double cpu_seconds(const Call& call) {
   constexpr double enough = 2e-3;
@@ -31,8 +31,8 @@ double cpu_seconds(const Call& call) {
   }
 }
 
-/// Compares the flips that both have. The method may find the last ones only after the end, or not
-/// at all.
+/// Returns the largest error of the flips that both solutions have. The method may find the last
+/// ones only after the end, or not at all.
 double flip_error(const std::vector<double>& predicted, const std::vector<double>& seen) {
   const std::size_t common = std::min(predicted.size(), seen.size());
   if (common == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -43,9 +43,9 @@ double flip_error(const std::vector<double>& predicted, const std::vector<double
   return largest;
 }
 
-/// Runs through the method's steps and collects errors, flips and the estimate's quality.
-void look_on_the_way(const motion::FreeBody& body, const motion::Method& method,
-                     const motion::StepControl& control, const Study& exact, StudyRun& run) {
+/// Visits the method's steps and collects errors, flips and the quality of the estimate.
+void measure_steps(const motion::FreeBody& body, const motion::Method& method,
+                   const motion::StepControl& control, const Study& exact, StudyRun& run) {
   const double initial_energy = motion::energy(body.inertia(), body.omega());
   FlipSearch flips(body, method);
   EstimateCheck estimate(body);
@@ -89,7 +89,7 @@ StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
     run.error = error(result.samples[0]);
     run.steps = result.steps;
     run.evaluations = result.evaluations;
-    look_on_the_way(body, method, control, exact, run);
+    measure_steps(body, method, control, exact, run);
   } catch (const motion::MotionError& error) {
     if (error.reason() == motion::MotionError::Reason::stopped) throw;
     run.failure = error.what();
@@ -98,7 +98,7 @@ StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
   return run;
 }
 
-/// The order, from the errors above round-off and within the asymptotic range.
+/// Returns the order, from the errors above round-off and within the asymptotic range.
 std::optional<double> order_of(const std::vector<StudyRun>& runs) {
   constexpr double round_off = 1e-12, asymptotic = 0.1;
   std::vector<PowerLawPoint> points;
@@ -120,8 +120,8 @@ std::optional<double> estimate_exponent_of(const std::vector<StudyRun>& runs) {
   return fitted_exponent(points);
 }
 
-/// The ladder that suits the method. The closed form has none: only its flips are searched, with
-/// the finest steps.
+/// Returns the step controls for the method, one per run. The closed form has a single run with the
+/// finest steps, which are only used to search for flips.
 std::vector<motion::StepControl> controls_for(const motion::Method& method, const StudyPlan& plan) {
   std::vector<motion::StepControl> controls;
   if (method.adaptive()) {
@@ -141,7 +141,7 @@ std::vector<motion::StepControl> controls_for(const motion::Method& method, cons
 }  // namespace
 
 Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
-  constexpr int steepest = 8;  // Steeper slopes leave no room above round-off.
+  constexpr int steepest = 8;  // Steeper slopes have too few points above round-off.
   require_positive("duration", plan.duration);
   if (plan.steps.empty()) throw InvalidArgument("steps", "there must be one at least");
   for (const motion::Method* method : plan.methods) {

@@ -7,8 +7,8 @@
 namespace twrench::system {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t piece = 3U << 20U;  // OpenSSL counts in int; no padding within
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // and OpenSSL's own zero
+  constexpr std::size_t piece = 3U << 20U;  // fits OpenSSL's int; pieces need no padding
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // and OpenSSL's terminating zero
   std::size_t size = 0;
   for (; !bytes.empty(); bytes = bytes.subspan(std::min(piece, bytes.size()))) {
     size += static_cast<std::size_t>(
@@ -28,7 +28,7 @@ std::optional<std::vector<std::uint8_t>> bytes_of_base64(std::string_view text) 
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view part = rest.substr(0, piece);
     rest.remove_prefix(part.size());
-    // OpenSSL passes over blanks at the ends, and takes padding within for zeros.
+    // OpenSSL skips blanks at the ends, and reads padding inside as zeros.
     const std::string_view digits = part.substr(0, part.size() - (rest.empty() ? padding : 0));
     if (std::ranges::any_of(digits, [](char c) { return c == '=' || c <= ' '; })) return {};
     const std::size_t before = bytes.size();

@@ -82,7 +82,7 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// A process group of its own, and default signal handling, whatever this process has set.
+/// Its own process group, and default signal handling, whatever this process has set.
 class SpawnAttributes {
  public:
   SpawnAttributes() {
@@ -137,7 +137,7 @@ class Idleness {
   }
   bool is_over() const { return left_.count() <= 0 || (stop_ != nullptr && *stop_); }
 
-  /// After which a request to stop is seen.
+  /// The maximum delay before a request to stop is noticed.
   static constexpr ChildProcess::Time longest_wait = std::chrono::milliseconds(200);
 
  private:
@@ -217,8 +217,8 @@ void ChildProcess::read_errors() {
   }
 }
 
-void ChildProcess::give_up() {
-  hung_ = true;
+void ChildProcess::kill_unresponsive() {
+  timed_out_ = true;
   ::kill(-pid_, SIGKILL);
 }
 
@@ -238,7 +238,7 @@ bool ChildProcess::send(std::span<const std::uint8_t> bytes, Put put) {
     std::array<pollfd, 2> ready{{{input_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
     if (!idle.wait(ready)) {
       if (!idle.is_over()) continue;
-      give_up();
+      kill_unresponsive();
       return false;
     }
     if (ready[1].revents != 0) {
@@ -269,7 +269,7 @@ int ChildProcess::wait(Time work_left) {
     ready[0] = {errors_.get(), POLLIN, 0};
     const Time most = errors_ ? Idleness::longest_wait : Time(1);
     if (idle.wait(ready, most)) read_errors();
-    if (idle.is_over() && !hung_) give_up();
+    if (idle.is_over() && !timed_out_) kill_unresponsive();
   }
   for (ready[0] = {errors_.get(), POLLIN, 0}; errors_ && ::poll(ready.data(), 1, 0) > 0;) {
     read_errors();

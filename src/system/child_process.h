@@ -27,8 +27,8 @@ struct Patience {
 
 /// A child process that is fed through a pipe, started without a shell.
 ///
-/// It has a process group of its own, so that Ctrl-C at the terminal reaches only this program,
-/// which then decides what happens to the child. Not thread-safe.
+/// It has its own process group, so that Ctrl-C at the terminal reaches only this program, which
+/// then decides what happens to the child. Not thread-safe.
 class ChildProcess {
  public:
   using Time = std::chrono::milliseconds;
@@ -41,7 +41,7 @@ class ChildProcess {
   explicit ChildProcess(const std::vector<std::string>& command, Patience patience = {},
                         int output = output_dropped);
 
-  /// Kills the child if it is still running. So does a signal that ends this process.
+  /// Kills the child if it is still running. A signal that ends this process also kills it.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -65,9 +65,9 @@ class ChildProcess {
   int wait(Time work_left = {});
 
   /// Returns whether it was killed because it exhausted the patience.
-  bool hung() const { return hung_; }
+  bool timed_out() const { return timed_out_; }
 
-  /// Returns the last of its standard error output, up to 8 KiB.
+  /// Returns the end of its standard error output, up to 8 KiB.
   const std::string& error_output() const { return error_output_; }
 
  private:
@@ -75,12 +75,12 @@ class ChildProcess {
 
   bool send(std::span<const std::uint8_t> bytes, Put put);
   void read_errors();
-  void give_up();
+  void kill_unresponsive();
   /// Checks without waiting. If it has ended, its process number may be reused by the system.
   bool has_ended();
 
   Patience patience_;
-  bool hung_ = false;
+  bool timed_out_ = false;
   Descriptor input_;   ///< To its standard input; non-blocking.
   Descriptor errors_;  ///< From its standard error; none after its end.
   pid_t pid_ = -1;     ///< -1 once it has been reaped.

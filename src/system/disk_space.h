@@ -10,7 +10,7 @@ namespace twrench::system {
 std::filesystem::path existing_folder(const std::filesystem::path& folder);
 
 /// Returns the bytes available to this user at the folder or, if it does not exist yet, at its
-/// location; the maximum if the system does not tell.
+/// location; the maximum if the system does not report them.
 std::uintmax_t free_space(const std::filesystem::path& folder);
 
 /// Returns whether two folders are on the same file system; false if the location of either is

@@ -4,12 +4,12 @@
 
 namespace twrench::system {
 
-/// A file could not be read or written, or does not hold what it should.
+/// A file could not be read or written, or has invalid contents.
 struct FileError : Error {
   using Error::Error;
 };
 
-/// An output would take the place of what nobody said may be lost.
+/// An output would overwrite a file without permission.
 struct OverwriteError : Error {
   using Error::Error;
 };

@@ -22,11 +22,11 @@ FileError file_error(const std::string& what, int error_number, Access access = 
 /// Creates the folder and its missing ancestors. Throws FileError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws OverwriteError where `output` is the file `input`, by whatever name. That either is not
-/// there is no error.
+/// Throws OverwriteError if `output` and `input` are the same file, under any names. Files that do
+/// not exist are not an error.
 void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
 
-/// Throws OverwriteError if two outputs are the same file, by whatever names. An empty name and "-"
+/// Throws OverwriteError if two outputs are the same file, under any names. An empty name and "-"
 /// name no file; a device can be shared.
 void require_different_outputs(const std::filesystem::path& a, const std::filesystem::path& b);
 

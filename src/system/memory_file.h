@@ -8,8 +8,8 @@
 
 namespace twrench::system {
 
-/// A file without a name, in memory, that a child process can read or write: it inherits the
-/// descriptor.
+/// A file without a name, in memory, that a child process can read or write through the descriptor
+/// that it inherits.
 class MemoryFile {
  public:
   /// Creates a file with the text. Throws FileError.
@@ -18,7 +18,8 @@ class MemoryFile {
   /// Returns the descriptor, which is at the start of the text.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Returns the whole contents, for example what a child wrote that has ended. Throws FileError.
+  /// Returns the whole contents, for example the output of a child that has ended. Throws
+  /// FileError.
   std::string contents() const;
 
  private:

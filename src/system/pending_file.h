@@ -12,7 +12,7 @@
 
 namespace twrench::system {
 
-/// What to do if the name of an output file is a symbolic link.
+/// How to treat the name of an output file that is a symbolic link.
 enum class Links {
   follow,   ///< Write the file that the link points to, as a shell does.
   replace,  ///< Replace the link by the file; its target is not ours to write.
@@ -46,9 +46,9 @@ class PendingFile {
   /// The descriptor for a child process to write to.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Throws FileError if another process has a PendingFile for the same target that called this,
-  /// unless that one is destroyed within some seconds: the target may then be new. The system
-  /// releases the claim when the process ends, however it ends.
+  /// Claims the target. Throws FileError if the PendingFile of another process has claimed the same
+  /// target and is not destroyed within some seconds. If it was destroyed, the target may be new.
+  /// The system releases the claim when the process ends, however it ends.
   void claim();
 
   /// Appends the bytes. Throws FileError.

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The limit that a single group sets, in whichever version of the files is there: "QUOTA PERIOD",
-/// or one of the two in a file each. Without a limit the quota is "max" or negative.
+/// The limit that a single group sets, in the files of either version: "QUOTA PERIOD" in one file,
+/// or a file for each of the two. Without a limit the quota is "max" or negative.
 double limit_of_group(const fs::path& group) {
   std::ifstream both(group / "cpu.max");
   std::ifstream quota_file(group / "cpu.cfs_quota_us"), period_file(group / "cpu.cfs_period_us");
@@ -27,8 +27,8 @@ double limit_of_group(const fs::path& group) {
   return is_set && quota > 0 && period > 0 ? quota / period : unlimited;
 }
 
-/// The least limit of a group and of those that it is in, up to the mount. In a container the group
-/// may have the name that it has outside, so that only the mount is found.
+/// The least limit of a group and its ancestors up to the mount. In a container the group may have
+/// the name that it has outside, so that only the mount is found.
 double limit_of_branch(const fs::path& mount, const fs::path& name) {
   double limit = limit_of_group(mount);
   fs::path group = mount;
@@ -56,7 +56,7 @@ unsigned allowed_processors() {
   if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
     return static_cast<unsigned>(CPU_COUNT(&allowed));
   }
-  return std::max(1U, std::thread::hardware_concurrency());  // more than such a set can name
+  return std::max(1U, std::thread::hardware_concurrency());  // more than the set can represent
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::string remedy_for_start(const std::system_error& error, const std::string& 
   }
 }
 
-std::string last_words(std::string_view output) {
+std::string error_summary(std::string_view output) {
   constexpr std::size_t longest = 600;
   std::string tail(output.substr(output.size() - std::min(output.size(), longest)));
   while (!tail.empty() && tail.back() == '\n') {

@@ -8,7 +8,7 @@
 
 #include "system/child_process.h"
 
-// Programs that we run: how they are started, and how a message tells of them.
+// Starts external programs, and describes them in messages.
 
 namespace twrench::system {
 
@@ -32,7 +32,7 @@ ChildProcess start_program(const std::vector<std::string>& command, const std::s
 }
 
 /// Returns the last lines of a program's output as one line for an error message.
-std::string last_words(std::string_view output);
+std::string error_summary(std::string_view output);
 
 /// Returns the command in a form that can be pasted into a POSIX shell.
 std::string shell_command(std::span<const std::string> command);

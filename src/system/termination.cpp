@@ -34,7 +34,7 @@ Registry& registry() {
 constexpr std::array<std::pair<int, const char*>, 4> ending_signals{
     {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}, {SIGXCPU, "SIGXCPU"}}};
 
-/// Returns those of the signals that are not ignored: nohup, or a shell's `&`, ignores some for its
+/// Returns the signals that are not ignored: nohup, or a shell's `&`, ignores some for its
 /// children.
 sigset_t heeded_signals() {
   sigset_t signals;
@@ -56,7 +56,7 @@ TerminationMessage message_of(int arrived) {
 
 [[noreturn]] void end(int signal, const std::function<int(const TerminationMessage&)>& report) {
   TerminationMessage message = message_of(signal);
-  take_termination_actions(message);
+  run_termination_actions(message);
   ::_exit(report(message));
 }
 
@@ -76,7 +76,7 @@ std::unique_lock<std::recursive_mutex> hold_termination() {
   return std::unique_lock(registry().mutex);
 }
 
-void take_termination_actions(TerminationMessage& message) {
+void run_termination_actions(TerminationMessage& message) {
   registry().mutex.lock();  // never unlocked
   auto& actions = registry().actions;
   while (!actions.empty()) {
@@ -84,7 +84,7 @@ void take_termination_actions(TerminationMessage& message) {
     actions.pop_back();
     try {
       (*action)(message);
-    } catch (...) {  // NOLINT(bugprone-empty-catch): the others are to be taken nevertheless
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the other actions must still run
     }
   }
 }

@@ -6,7 +6,7 @@
 
 namespace twrench::system {
 
-/// What to report when a signal ends the program.
+/// The error message when a signal ends the program.
 struct TerminationMessage {
   int signal = 0;
   std::string error;   ///< "interrupted by SIGINT", to which an action may add details
@@ -37,12 +37,12 @@ class TerminationAction {
 
 /// Runs the actions, and permanently prevents other threads from creating or releasing resources.
 /// Call it just before the process ends without running destructors.
-void take_termination_actions(TerminationMessage& message);
+void run_termination_actions(TerminationMessage& message);
 
-/// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU, but for those that the parent has told us to
-/// ignore, end the process at once, whatever it waits for: the actions are taken, `report` is
-/// called, and the process exits with the status that it returns. To be called once, before any
-/// thread is started: threads inherit what signals are blocked.
+/// From now on, SIGINT, SIGTERM, SIGHUP and SIGXCPU end the process at once, whatever it waits for,
+/// except those that the parent has set to be ignored. The actions run, `report` is called, and the
+/// process exits with the status that `report` returns. Call this once, before any thread is
+/// started, because threads inherit the set of blocked signals.
 void end_on_termination_signals(std::function<int(const TerminationMessage&)> report);
 
 }  // namespace twrench::system

@@ -23,7 +23,7 @@ std::string without_doubled_quotes(std::string_view cell) {
   return text;
 }
 
-/// A unit of time or of angles, as it stands alone in a cell.
+/// Whether the cell contains a unit of times, angles or rates and nothing else.
 bool is_known_unit(std::string_view cell) {
   constexpr std::array known{"s",     "sec",   "ms",      "us",      "ns",     "deg",     "rad",
                              "deg/s", "rad/s", "deg/sec", "rad/sec", "\u00b0", "\u00b0/s"};
@@ -32,8 +32,8 @@ bool is_known_unit(std::string_view cell) {
   return std::ranges::find(known, cell) != known.end();
 }
 
-/// Whether the cells below the names are their units and no row: none is a number, but for the 1
-/// of what has no unit.
+/// Whether the cells below the names are units rather than a row: none is a number, except for the
+/// 1 of a quantity without a unit.
 bool are_units(const std::vector<std::string_view>& cells) {
   const auto is_value = [](std::string_view cell) { return cell != "1" && is_numeric(cell); };
   return std::ranges::none_of(cells, is_value) && std::ranges::any_of(cells, is_known_unit);
@@ -133,8 +133,8 @@ bool CsvReader::next(std::span<Number> numbers) {
 
 void CsvReader::read_blanks_or_quotes(std::string_view line, std::span<Number> numbers) {
   if (!split_cells(line, dialect_.separator, cells_)) {
-    throw system::FileError(place(), "a quotation mark opens and none closes on this line",
-                            "rows and names stand on one line each");
+    throw system::FileError(place(), "a quotation mark is not closed on this line",
+                            "each row must be on one line");
   }
   require_columns(cells_.size(), cells_.back());
   for (const Selected& selected : selected_) {

@@ -13,7 +13,8 @@
 
 namespace twrench::table {
 
-/// Rows that are lines of text: separated by commas, semicolons, tabs, bars or blanks.
+/// Reads rows that are lines of text, with cells separated by commas, semicolons, tabs, bars or
+/// blanks.
 class CsvReader : public Reader {
  public:
   explicit CsvReader(Input input);
@@ -24,7 +25,7 @@ class CsvReader : public Reader {
 
  private:
   struct Selected {
-    std::size_t column, place;  ///< in the file, and in what next() returns
+    std::size_t column, place;  ///< index in the file, and among the numbers of next()
   };
 
   void read_header(const Sample& sample);

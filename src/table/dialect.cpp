@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t sample_lines = 32;
 
-/// Blanks come last: they stand behind other separators too.
+/// Blanks come last, because they may follow the other separators.
 constexpr std::array separators{'\t', ';', '|', ',', ' '};
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -23,7 +23,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 /// How well a separator explains the lines.
 struct Fit {
   std::size_t equal = 0;  ///< lines with as many cells as the first
-  double numeric = 0;     ///< the share of cells that are numbers, the first line aside
+  double numeric = 0;     ///< the share of cells that are numbers, except in the first line
   bool operator<(const Fit& other) const {
     return equal != other.equal ? equal < other.equal : numeric < other.numeric;
   }
@@ -91,7 +91,7 @@ bool has_decimal_commas(const Sample& sample, char separator, const std::string&
       "write numbers with a decimal point and without groups");
 }
 
-/// The cell that begins at `at`, and where the next one does: npos behind the last.
+/// Returns the cell whose quotation mark is at `at`, and moves `at` past the closing one.
 std::string_view take_quoted(std::string_view line, std::size_t& at, bool& closed) {
   const std::size_t first = at + 1;
   std::size_t end = first;

@@ -11,7 +11,7 @@ namespace twrench::table {
 
 /// How a text file writes its cells.
 struct Dialect {
-  char separator = ',';        ///< ' ' where runs of blanks and tabs separate
+  char separator = ',';        ///< ' ' if runs of blanks and tabs separate cells
   bool decimal_comma = false;  ///< 1,5 is 3/2
 };
 
@@ -26,18 +26,19 @@ struct Sample {
   std::string comment;      ///< the last comment before them, without its mark
 };
 
-/// Whether the line holds no cells: it is blank, or a comment (# or % at its beginning).
+/// Whether the line has no cells: it is blank, or a comment (# or % at its beginning).
 bool is_blank_or_comment(std::string_view line);
 
 /// Reads the beginning of the file. Throws system::FileError.
 Sample read_sample(const Input& input);
 
-/// Finds the dialect in which the lines have equally many cells, of which the most are numbers.
-/// Throws system::FileError where numbers such as 1,234 can be read in two ways.
+/// Finds the dialect in which the most lines have as many cells as the first and, among equals, the
+/// largest share of cells are numbers. Throws system::FileError if numbers such as 1,234 can be
+/// read in two ways.
 Dialect detect_dialect(const Sample& sample, const std::string& file);
 
-/// Splits a line at the separator; cells lose blanks and quotation marks around them. Returns false
-/// where a quotation mark opens and none closes.
+/// Splits a line at the separator, and removes blanks and quotation marks around the cells. Returns
+/// false if a quotation mark is not closed.
 bool split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 /// Whether the text is a number, with a decimal point or a decimal comma.

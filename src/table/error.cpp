@@ -5,7 +5,7 @@
 namespace twrench::table {
 namespace {
 
-/// What is shown of a text: a cell may be as long as a file.
+/// The text for a message, shortened because a cell may be as long as a file.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   return text.size() <= longest ? fmt::format("'{}'", text)

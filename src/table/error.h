@@ -7,20 +7,20 @@
 
 namespace twrench::table {
 
-/// A table that was read, but whose columns or values do not serve. What cannot be read at all, or
-/// is no table, is a system::FileError.
+/// A table was read, but its columns or values are unusable. For a file that cannot be read or is
+/// not a table, system::FileError is thrown instead.
 class BadTable : public InvalidArgument {
  public:
   using InvalidArgument::InvalidArgument;
 };
 
-/// Where a cell stands, as messages name it: "run.csv:17: the column 'wx'".
+/// The location of a cell in messages: "run.csv:17: the column 'wx'".
 std::string cell_place(const std::string& row_place, const std::string& column);
 
-/// The error for a cell that is no number: a text, or nothing.
+/// The error for a cell that is not a number: it has other text, or none.
 BadTable no_number(const std::string& row_place, const std::string& column, std::string_view text);
 
-/// The error for a number beyond all doubles.
+/// The error for a number beyond the range of doubles.
 BadTable too_large(const std::string& row_place, const std::string& column, std::string_view text);
 
 }  // namespace twrench::table

@@ -21,7 +21,7 @@ std::string cannot_read_input(const std::string& name) { return "cannot read " +
 
 Input::Input(const std::filesystem::path& path) : name_(path.string()) {
   if (name_ == "-") {
-    throw InvalidArgument("-", "the standard input is no table: its rows are read more than once",
+    throw InvalidArgument("-", "standard input cannot be used: the rows are read more than once",
                           "save it to a file, and name that");
   }
   // Without O_NONBLOCK, opening a pipe would wait for a writer.
@@ -35,7 +35,7 @@ Input::Input(const std::filesystem::path& path) : name_(path.string()) {
   }
   if (!S_ISREG(status.st_mode)) {
     throw system::FileError(cannot_read_input(name_), "it is not a regular file",
-                            "save what it gives to a file, for the rows are read more than once");
+                            "save its output to a file, because the rows are read more than once");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
 }

@@ -14,8 +14,8 @@ namespace twrench::table {
 /// The bytes of a regular file, or of memory, read piece by piece.
 class Input {
  public:
-  /// Opens the file. Throws system::FileError where that fails or it is no regular file: a pipe
-  /// gives its bytes only once, a device may never end.
+  /// Opens the file. Throws system::FileError if that fails or it is not a regular file, because a
+  /// pipe delivers its bytes only once, and a device may never end. Throws InvalidArgument for "-".
   explicit Input(const std::filesystem::path& path);
 
   /// The bytes must outlive the input.
@@ -35,12 +35,12 @@ class Input {
   std::string_view bytes_;
 };
 
-/// A part of an input that is held in memory and moves forward with what is asked for.
+/// A part of an input that is kept in memory and moves to the requested bytes.
 class Window {
  public:
   explicit Window(const Input& input) : input_(&input) {}
 
-  /// Returns the `length` bytes at `offset`, fewer where the input ends before. Valid until the
+  /// Returns the `length` bytes at `offset`, or fewer if the input ends before. Valid until the
   /// next call.
   std::string_view at(std::uint64_t offset, std::size_t length);
 

@@ -68,7 +68,7 @@ void JsonCursor::expect(char wanted) {
 void JsonCursor::append_and_take() {
   if (value_.size() == max_bytes) {
     throw system::FileError(place(), fmt::format("the value is longer than {} bytes", max_bytes),
-                            "rows are wanted: an array that holds an object or an array for each");
+                            "expected an array of rows, each an object or an array");
   }
   value_ += buffer_[at_];
   take();
@@ -117,9 +117,8 @@ void JsonCursor::take_nested() {
     if (c == '}' || c == ']') --depth;
     if (depth == 0) return;
     if (depth > max_depth) {
-      throw system::FileError(
-          place(), fmt::format("it is nested more than {} deep", max_depth),
-          "rows are wanted: an array that holds an object or an array for each");
+      throw system::FileError(place(), fmt::format("it is nested more than {} deep", max_depth),
+                              "expected an array of rows, each an object or an array");
     }
   }
   throw system::FileError(place(), "the file ends within the value that begins here",

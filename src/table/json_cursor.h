@@ -10,16 +10,16 @@
 
 namespace twrench::table {
 
-/// Walks over a JSON text and takes it apart into values that are small enough for memory. What a
-/// value holds is for a parser to say.
+/// Splits a JSON text into values that are small enough for memory. Their contents are left to a
+/// parser.
 class JsonCursor {
  public:
-  /// A longer value is no row of a table.
+  /// Longer values are not rows of a table.
   static constexpr std::size_t max_bytes = 1 << 20;
-  /// Arrays and objects within one another in a value.
+  /// The deepest nesting of arrays and objects in a value.
   static constexpr int max_depth = 8;
 
-  /// Begins behind a byte order mark.
+  /// Begins after a byte order mark, if there is one.
   explicit JsonCursor(const Input& input);
 
   /// Skips white space, and returns the next character without taking it; nothing at the end.
@@ -35,10 +35,10 @@ class JsonCursor {
   void expect(char wanted);
 
   /// Takes one value as it is written, and sets line() to where it begins. Throws system::FileError
-  /// where it is too long, nested too deep, or has no end.
+  /// if the value is too long, nested too deeply, or not complete.
   std::string_view take_value();
 
-  /// Of the value taken last, from 1.
+  /// Line of the value taken last, from 1.
   std::size_t line() const { return line_; }
 
   /// "run.json:17", for messages about the value taken last.
@@ -59,7 +59,7 @@ class JsonCursor {
   std::string_view buffer_;
   Window window_;
   std::size_t at_ = 0;
-  std::uint64_t offset_ = 0;  ///< of the input behind the buffer
+  std::uint64_t offset_ = 0;  ///< of the input after the buffer
   std::size_t lines_ = 1;     ///< begun so far
   std::size_t line_ = 1;
   std::string value_;

@@ -20,7 +20,7 @@ JsonReader::JsonReader(Input input) : input_(std::move(input)), cursor_(input_) 
   find_rows();
 }
 
-/// Goes to where the first row begins.
+/// Moves to the first row.
 void JsonReader::find_rows() {
   at_first_ = true;
   if (cursor_.take_if('[')) {
@@ -33,7 +33,7 @@ void JsonReader::find_rows() {
   }
 }
 
-/// Goes behind "samples": [ of the object that begins here. Returns false where it has none.
+/// Moves past "samples": [ of the object that begins here. Returns false if the object has none.
 bool JsonReader::find_samples() {
   cursor_.expect('{');
   if (cursor_.take_if('}')) return false;
@@ -60,7 +60,7 @@ bool JsonReader::next_row() {
   return true;
 }
 
-/// Reads what follows the rows, so that a file that was cut off is not taken for a whole one.
+/// Reads the text after the rows, to detect a truncated file.
 void JsonReader::finish() {
   while (layout_ == Layout::samples && cursor_.take_if(',')) {
     cursor_.take_value();
@@ -69,14 +69,15 @@ void JsonReader::finish() {
   }
   if (layout_ == Layout::samples) cursor_.expect('}');
   if (!cursor_.peek()) return;
-  throw system::FileError(cursor_.place_here(), "there is more behind the end of the JSON value");
+  throw system::FileError(cursor_.place_here(),
+                          "there is more text after the end of the JSON value");
 }
 
 void JsonReader::select(std::span<const std::size_t> columns) {
   selected_.assign(columns.begin(), columns.end());
 }
 
-/// The cell of a column of the first row, wherever it stands in this one.
+/// The cell of this row for a column of the first row, whatever its position.
 const JsonCell& JsonReader::cell_of(std::size_t column) const {
   static const JsonCell missing;
   const std::string& name = header_.names[column];

@@ -13,8 +13,8 @@
 
 namespace twrench::table {
 
-/// Rows that are JSON objects or arrays: in an array, in the array "samples" of an object, or one
-/// after another (JSON Lines).
+/// Reads rows that are JSON objects or arrays: in an array, in the array "samples" of an object, or
+/// one after another (JSON Lines).
 class JsonReader : public Reader {
  public:
   explicit JsonReader(Input input);

@@ -11,7 +11,7 @@
 namespace twrench::table {
 namespace {
 
-/// Takes the events of nlohmann's parser and makes names and cells of them.
+/// Turns the events of nlohmann's parser into names and cells.
 class RowHandler : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit RowHandler(JsonCells& row) : row_(&row) {}
@@ -108,7 +108,7 @@ void read_json_row(std::string_view text, const std::string& place, JsonCells& r
   row.cells.clear();
   if (!text.starts_with('{') && !text.starts_with('[')) {
     throw system::FileError(place, "the row is neither an object nor an array",
-                            "rows are wanted: an array that holds an object or an array for each");
+                            "expected an array of rows, each an object or an array");
   }
   RowHandler handler(row);
   if (nlohmann::json::sax_parse(text, &handler)) return;

@@ -10,7 +10,7 @@
 
 namespace twrench::table {
 
-/// A value of a row that is no array and no object.
+/// A value of a row, neither an array nor an object.
 struct JsonCell {
   enum class Kind { missing, number, too_large, other };
 
@@ -19,14 +19,14 @@ struct JsonCell {
   std::string text;  ///< as it is written, unless it is a number
 };
 
-/// Values of a row with the names of their columns: the keys; "#1", "#2" ... of a row that is an
-/// array. What lies in arrays and objects within is "X[0]", "X[2][1]", "rates.x".
+/// The values of a row with the names of their columns: the keys, or "#1", "#2" ... if the row is
+/// an array. Values in nested arrays and objects are named "X[0]", "X[2][1]", "rates.x".
 struct JsonCells {
   std::vector<std::string> names;
   std::vector<JsonCell> cells;
 };
 
-/// Reads the text of one row. Throws system::FileError, about `place`, where it is no JSON.
+/// Reads the text of one row. Throws system::FileError, about `place`, if it is not JSON.
 void read_json_row(std::string_view text, const std::string& place, JsonCells& row);
 
 }  // namespace twrench::table

@@ -10,23 +10,23 @@
 
 namespace twrench::table {
 
-/// The lines of a text, one after another, in memory for one line.
+/// Reads a text line by line, in memory for one line.
 class LineReader {
  public:
-  /// A longer line is no row of a table.
+  /// Longer lines are not rows of a table.
   static constexpr std::size_t max_bytes = 1 << 20;
 
-  /// Begins behind a byte order mark.
+  /// Begins after a byte order mark, if there is one.
   explicit LineReader(const Input& input);
 
   /// Reads the next line, without its end (LF or CR LF); it is valid until the next call. Returns
   /// false at the end. Throws system::FileError for a line that is longer than max_bytes.
   bool next(std::string_view& line);
 
-  /// Of the line read last, from 1.
+  /// Number of the line read last, from 1.
   std::size_t number() const { return number_; }
 
-  /// Of the line read last: "run.csv:17".
+  /// Location of the line read last: "run.csv:17".
   std::string place() const;
 
  private:
@@ -34,12 +34,12 @@ class LineReader {
 
   const Input* input_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer is not read yet
-  std::uint64_t offset_ = 0;         ///< of the input behind the buffer
+  std::size_t begin_ = 0, end_ = 0;  ///< the unread part of the buffer
+  std::uint64_t offset_ = 0;         ///< of the input after the buffer
   std::size_t number_ = 0;
 };
 
-/// How many bytes a byte order mark of UTF-8 takes at the beginning of the text: 3 or 0.
+/// Length of the UTF-8 byte order mark at the beginning of the text: 3 or 0.
 std::size_t byte_order_mark(std::string_view text);
 
 }  // namespace twrench::table

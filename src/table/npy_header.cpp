@@ -66,8 +66,8 @@ HeaderText read_header_text(const Input& input) {
   return header;
 }
 
-/// The header is a literal of Python: other brackets and words for what JSON has too. Nothing that
-/// cannot be read comes out as null.
+/// Parses the header, a Python literal that differs from JSON in its brackets and words. Returns
+/// null if it cannot be read.
 json parse_literal(std::string_view python) {
   std::string text;
   char quote = '\0';
@@ -141,7 +141,7 @@ class RowLayout {
                  int depth) {
     const auto sizes = read_shape(shape.is_number() ? json::array({shape}) : shape);
     if (!sizes || sizes->size() > 4) throw unreadable_header(*input_);
-    // Counts what has no numbers, too: sizes of 0, and structures without fields.
+    // Also counts elements without numbers: sizes of 0, and structures without fields.
     if (++elements_ > 2 * max_columns) throw too_wide();
     if (axis == sizes->size()) return add(name, type, depth);
     for (std::uint64_t i = 0; i < (*sizes)[axis]; ++i) {
@@ -166,7 +166,7 @@ class RowLayout {
       throw bad_npy(*input_, "it holds Python objects, which only Python can read",
                     "save it as an array of numbers: array.astype(float)");
     }
-    // "<f8"; the characters of "<U5" take 4 bytes each, and "<M8[ns]" has a unit behind its size.
+    // "<f8"; the characters of "<U5" take 4 bytes each, and "<M8[ns]" has a unit after its size.
     std::uint64_t size = 0;
     const char* end = type.data() + type.size();
     const auto read =
@@ -183,7 +183,7 @@ class RowLayout {
   std::uint64_t elements_ = 0;
 };
 
-/// Gives each column its place in the file.
+/// Sets the position of each column in the file.
 NpyHeader place_columns(const RowLayout& layout, std::uint64_t rows, bool by_columns,
                         std::uint64_t begin) {
   NpyHeader header{layout.columns(), rows};

@@ -17,16 +17,16 @@ struct NpyColumn {
   std::uint64_t step = 0;   ///< from one row to the next, bytes
 };
 
-/// Where the numbers of a NumPy file stand.
+/// The layout of the numbers in a NumPy file.
 struct NpyHeader {
   std::vector<NpyColumn> columns;
   std::uint64_t rows = 0;
 };
 
 /// Reads the header of a NumPy file, versions 1 to 3: of an array with rows and columns, or of a
-/// one-dimensional structured array. Sub-arrays and structures within are columns of their own:
-/// "X[0][2]", "rates.x". Throws system::FileError for any other, for one with Python objects, and
-/// where the file is shorter than the array.
+/// one-dimensional structured array. Each element of a sub-array or nested structure is a separate
+/// column: "X[0][2]", "rates.x". Throws system::FileError for any other array, for one with Python
+/// objects, and if the file is shorter than the array.
 NpyHeader read_npy_header(const Input& input);
 
 }  // namespace twrench::table

@@ -16,7 +16,7 @@
 namespace twrench::table {
 namespace {
 
-/// Reads a number of type T as it lies in the file, in the order of bytes that `endian` says.
+/// Reads a number of type T in the byte order `endian`.
 template <typename T, std::endian endian>
 Number decode_number(const char* bytes) {
   std::array<char, sizeof(T)> raw{};
@@ -38,7 +38,7 @@ void add_decoders(std::map<std::string, Decoder>& decoders, const std::string& t
   decoders["|" + type] = decode_number<T, std::endian::native>;
 }
 
-/// By NumPy's names of the types.
+/// The decoders by NumPy's names of the types.
 const std::map<std::string, Decoder>& all_decoders() {
   static const std::map<std::string, Decoder> all = [] {
     std::map<std::string, Decoder> decoders;
@@ -76,7 +76,7 @@ void NpyReader::select(std::span<const std::size_t> columns) {
                      "save it as numbers: array.astype(float)");
     }
     const auto size = static_cast<std::size_t>(column.type.back() - '0');
-    // One row beside the other: one window. One column behind the other: one for each.
+    // Stored row by row: one window. Stored column by column: one for each.
     const bool by_columns = column.step == size && layout_.columns.size() > 1;
     if (by_columns || windows_.empty()) windows_.emplace_back(input_);
     selected_.push_back({column, size, decoder->second, windows_.size() - 1});

@@ -28,7 +28,7 @@ class NpyReader : public Reader {
     NpyColumn column;
     std::size_t size;  ///< bytes of a number
     Decode decode;
-    std::size_t window;  ///< columns that lie beside one another share one
+    std::size_t window;  ///< adjacent columns share one
   };
 
   Input input_;

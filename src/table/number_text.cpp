@@ -13,7 +13,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_digit_or_point(char c) { return is_digit(c) || c == '.'; }
 
-/// The exponent in a text such as "e-07"; 0 where it has none. Beyond +-9999 it does not matter.
+/// The exponent in a text such as "e-07"; 0 if the text is empty. Clamped to +-9999, beyond which
+/// it does not matter.
 int exponent_of(std::string_view text) {
   if (text.empty()) return 0;
   text.remove_prefix(1);
@@ -41,7 +42,7 @@ void count_digits(std::string_view text, Number& number) {
   number.significant = significant;
 }
 
-/// Whether a number that no double holds is too small for one, and not too large.
+/// Whether a number out of the range of doubles is too small rather than too large.
 bool is_tiny(std::string_view text) {
   Number digits;
   count_digits(text, digits);
@@ -66,7 +67,7 @@ Reading read_number(std::string_view text, bool decimal_comma, Number& number) {
   if (text.starts_with('+') && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
   if (!decimal_comma) {
     const Reading reading = read_plain(text, number);
-    // Only what is not read at once is worth a copy.
+    // Copies the text only if it may have Fortran's exponent.
     if (reading != Reading::text || text.find_first_of("dD") == std::string_view::npos) {
       return reading;
     }

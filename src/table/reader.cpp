@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// A format that is not read, and what to do about it.
+/// An unsupported format, and the remedy.
 struct Foreign {
   std::string_view begins, what, remedy;
 };
@@ -37,8 +37,8 @@ constexpr std::array<Foreign, 9> foreign{{
     {"\xFE\xFF"sv, "is UTF-16 text", "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"},
 }};
 
-/// Whether the text begins as rows in JSON do: with an object, or with an array of objects or
-/// arrays. A table may begin with a name in brackets.
+/// Whether the text begins like rows in JSON: with an object, or with an array of objects or
+/// arrays. A CSV table may begin with a name in brackets.
 bool is_json(std::string_view text) {
   text.remove_prefix(byte_order_mark(text));
   const auto take = [&] {

@@ -10,23 +10,22 @@
 
 namespace twrench::table {
 
-/// What a file says of its columns.
+/// The names and units of a file's columns.
 struct Header {
   std::string file;                ///< the path, as messages name it
-  std::vector<std::string> names;  ///< in the file's order; "#1", "#2" ... where it has no names
+  std::vector<std::string> names;  ///< in the file's order; "#1", "#2" ... if it has no names
   std::vector<std::string> units;  ///< of each column, from a row below the names; or empty
 };
 
 /// A number, and how many digits of it were written.
 struct Number {
-  /// Of numbers of a binary format: more than any double has.
+  /// For numbers in binary formats: more digits than any double has.
   static constexpr int all_digits = 1100;
 
-  double value = 0;              ///< as near as a double can be; may be infinite or NaN where the
-                                 ///< file says so
-  int decimals = all_digits;     ///< places after the point of the number written in full; negative
-                                 ///< where it ends before the units: -2 for 12e2
-  int significant = all_digits;  ///< digits from the first that is not 0; 0 of a zero
+  double value = 0;              ///< the nearest double; infinite or NaN if the file says so
+  int decimals = all_digits;     ///< decimal places of the number without an exponent; negative if
+                                 ///< its last digit is before the units: -2 for 12e2
+  int significant = all_digits;  ///< digits from the first nonzero one; 0 for zero
 };
 
 /// One pass over the rows of a table, in memory that does not grow with the file.
@@ -38,16 +37,16 @@ class Reader {
 
   const Header& header() const { return header_; }
 
-  /// Says which columns next() returns, by their indices in the header, in this order; a column may
-  /// be named twice. To be called once, before next(). The others are not converted.
+  /// Selects the columns that next() returns, by their indices in the header and in this order; a
+  /// column may occur twice. Other columns are not converted. Call it once, before next().
   virtual void select(std::span<const std::size_t> columns) = 0;
 
   /// Reads the next row: as many numbers as columns were selected. Returns false at the end. Throws
-  /// BadTable for a cell that is no number a double can hold, and system::FileError where the file
-  /// cannot be read or is no table from here on.
+  /// BadTable for a cell that is not a number in the range of doubles, and system::FileError if the
+  /// file cannot be read or is not a table from here on.
   virtual bool next(std::span<Number> numbers) = 0;
 
-  /// Where the row read last stands: "run.csv:17", or "run.npy: row 16" in a file without lines.
+  /// Location of the row read last: "run.csv:17", or "run.npy: row 16" in a file without lines.
   virtual std::string place() const = 0;
 
  protected:
@@ -56,11 +55,11 @@ class Reader {
   Header header_;
 };
 
-/// Opens a CSV, TSV, JSON or NumPy file, recognised by its first bytes, not by its name.
-/// Throws system::FileError where it cannot be read or is no table, BadTable where it has no rows.
+/// Opens a CSV, TSV, JSON or NumPy file, recognised by its first bytes rather than its name. Throws
+/// system::FileError if it cannot be read or is not a table, and BadTable if it has no rows.
 std::unique_ptr<Reader> open_table(const std::filesystem::path& path);
 
-/// The same for the bytes of a file, which must outlive the reader; messages call it `name`.
+/// Does the same for the bytes of a file, which must outlive the reader; messages call it `name`.
 std::unique_ptr<Reader> open_table(const std::string& name, std::string_view bytes);
 
 }  // namespace twrench::table

@@ -22,7 +22,7 @@ std::string_view reference_of(char c) {
   }
 }
 
-/// U+FFFE and U+FFFF, which are no characters (XML 1.0, 2.2).
+/// U+FFFE and U+FFFF are not characters (XML 1.0, 2.2).
 bool is_noncharacter(std::string_view rest) {
   return rest.starts_with("\xEF\xBF\xBE") || rest.starts_with("\xEF\xBF\xBF");
 }

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 
+#include "scene/interior.h"
+
 namespace twrench::timeline {
 namespace {
 
-/// From 0 to 1 while `time` goes from 0 to `length`, with a smooth start and end.
+/// Rises from 0 to 1 while `time` goes from 0 to `length`, with a smooth start and end.
 double smooth_share(double time, double length) {
   if (time >= length) return 1;
   const double share = time / length;
   return share * share * (3 - 2 * share);
 }
 
-/// The frames of a film on the clocks of its shots.
+/// Finds the shot of each frame, and the frame's time in that shot.
 class Clocks {
  public:
   explicit Clocks(const scene::Scene& film) : film_(film), first_(scene::first_frames(film)) {}
@@ -24,7 +26,7 @@ class Clocks {
     return static_cast<std::size_t>(after - first_.begin()) - 1;
   }
 
-  /// Returns when the shot is seen in the frame, which may lie after the shot's end.
+  /// Returns the time in the shot that the frame shows; it may lie after the shot's end.
   FrameTime at(std::size_t shot, int frame) const {
     if (film_.shots.empty()) return frame_times(film_.film, {frame}).front();
     const scene::Shot& of = film_.shots[shot];
@@ -52,6 +54,7 @@ std::vector<double> motion_times(const scene::Scene& film) {
 
 FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& frames,
                            const std::atomic<bool>* stop) {
+  scene::check_shown_motion(film);
   const Clocks clocks(film);
   std::map<std::size_t, std::vector<FrameTime>> times;  // of each shot
   const auto place = [&](std::size_t shot, int frame) {
@@ -83,7 +86,7 @@ FilmFrame FilmTimeline::frame(std::size_t index) const {
   };
   FilmFrame frame{own.shot, state(own), std::nullopt, faded, moved};
   if (previous) frame.previous = state(*previous);
-  if (faded < 1 && !caption_stays_[own.shot]) {  // one caption goes before the next comes
+  if (faded < 1 && !caption_stays_[own.shot]) {  // one caption disappears before the next appears
     frame.state.caption_opacity = std::max(0.0, 2 * faded - 1);
     frame.previous->caption_opacity = std::max(0.0, 1 - 2 * faded);
   }

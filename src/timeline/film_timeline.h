@@ -10,18 +10,18 @@
 
 namespace twrench::timeline {
 
-/// A frame of a film: a shot at one instant and, while the film goes over from the previous shot,
-/// that one too.
+/// A frame of a film: one instant of a shot and, during the transition from the previous shot, of
+/// that shot too.
 struct FilmFrame {
   /// Index of the shot; 0 in a film without shots.
   std::size_t shot = 0;
   /// The state in that shot.
   FrameState state;
-  /// The state in the previous shot while that is still seen, or the camera still comes from it.
+  /// The state in the previous shot, while that is visible or the camera still moves away from it.
   std::optional<FrameState> previous;
-  /// How much of the shot is seen over the previous one, 0 to 1.
+  /// Opacity of the shot over the previous one, 0 to 1.
   double faded = 1.0;
-  /// How far the camera has come from the previous shot's to the shot's own, 0 to 1.
+  /// How far the camera has moved from the previous shot's view to this shot's, 0 to 1.
   double moved = 1.0;
 };
 
@@ -35,8 +35,9 @@ std::vector<double> motion_times(const scene::Scene& film);
 /// on the film and the frame's number, not on which other frames are requested.
 class FilmTimeline {
  public:
-  /// Integrates everything that `frames` (ascending numbers) need. Another thread can end that by
-  /// `stop`, as in StepControl; it may be null. Throws as trajectory() does.
+  /// Integrates everything that `frames` (ascending numbers) need. Another thread can end the
+  /// integration through `stop`, as in StepControl; it may be null. Throws as trajectory() does,
+  /// and InvalidArgument as check_shown_motion() does.
   FilmTimeline(const scene::Scene& film, const std::vector<int>& frames,
                const std::atomic<bool>* stop = nullptr);
 
@@ -45,17 +46,17 @@ class FilmTimeline {
   /// Returns the frame with number frames[index].
   FilmFrame frame(std::size_t index) const;
 
-  /// Returns the index of the shot to which it belongs; 0 in a film without shots.
+  /// Returns the index of the shot to which that frame belongs; 0 in a film without shots.
   std::size_t shot(std::size_t index) const { return frames_[index].own.shot; }
 
-  /// Returns the flips that the frame with number frames[index] has behind it, of the first motion
-  /// of its shot that has any.
+  /// Returns the flips up to the frame with number frames[index], in the first motion of its shot
+  /// that has flips.
   FlipsSoFar flips(std::size_t index) const {
     const Place& own = frames_[index].own;
     return timelines_.at(own.shot).flips(own.index);
   }
 
-  /// Returns the motions of a shot that any of the frames shows.
+  /// Returns the motions of a shot that at least one of the frames shows.
   const std::vector<Solution>& solutions(std::size_t shot) const {
     return timelines_.at(shot).solutions();
   }

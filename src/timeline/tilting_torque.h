@@ -9,14 +9,14 @@
 
 namespace twrench::timeline {
 
-/// The torque with which the centrifugal, Coriolis and Euler forces on each group of parts tilt the
-/// body further against L: about the axis through the centre of mass about which it tilts.
+/// The torque with which the centrifugal, Coriolis and Euler forces on each group of parts increase
+/// the body's tilt against L. Its axis is that of the tilt, through the centre of mass.
 class TiltingTorque {
  public:
   TiltingTorque(const scene::Scene& scene, const motion::FreeBody& body);
 
-  /// Returns the torque in g cm^2/s^2 on each group of scene::part_groups(); negative where it
-  /// pulls the body back.
+  /// Returns the torque in g cm^2/s^2 on each group of scene::part_groups(); negative if it pulls
+  /// the body back.
   std::vector<double> on_groups(const motion::Sample& sample) const;
 
  private:

@@ -25,9 +25,9 @@ double step_of_trail(const scene::Scene& scene, double length) {
   return length / std::clamp(points, 50.0, 2000.0);
 }
 
-/// Poses averaged in a frame that is `interval` s of motion from the next: as many as the scene
-/// asks for, or more if the body turns so fast that they would be seen one by one, as a comb. 0
-/// without motion blur.
+/// Number of poses averaged in a frame that is `interval` s of motion from the next: as many as the
+/// scene requests, or more if the body turns so fast that single poses would be visible, as a comb.
+/// 0 without motion blur.
 int blur_poses(const scene::Scene& scene, double interval) {
   const int least = scene.look.motion_blur;
   if (least == 1) return 0;
@@ -37,8 +37,9 @@ int blur_poses(const scene::Scene& scene, double interval) {
   return std::max(least, static_cast<int>(std::min(std::ceil(path / farthest), most_poses)));
 }
 
-/// Nothing if the body does not turn over.
+/// Nothing if the body does not turn over, or is not rigid.
 std::optional<motion::ExactMotion::Flips> flips_of(const motion::FreeBody& body) {
+  if (!body.is_rigid()) return std::nullopt;
   const auto flips = motion::ExactMotion(body).flips();
   return flips && flips->turns_over() ? flips : std::nullopt;
 }
@@ -71,14 +72,8 @@ std::string name_of(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia
 Solution solution_of(const scene::Scene& scene, const motion::StepControl& control,
                      const std::string& name, const std::string& method,
                      const Eigen::Vector3d& omega) {
-  Solution solution{&motion::find_method(method),
-                    control,
-                    motion::FreeBody(scene::mass_properties(scene.body).inertia, omega),
-                    0.0,
-                    {},
-                    {},
-                    {},
-                    name};
+  Solution solution{
+      &motion::find_method(method), control, scene::free_body(scene, omega), 0.0, {}, {}, {}, name};
   solution.initial_energy = motion::energy(solution.body.inertia(), solution.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
@@ -91,10 +86,11 @@ Solution solution_of(const scene::Scene& scene, const motion::StepControl& contr
   return solution;
 }
 
-/// One per method or per initial angular velocity.
+/// One solution per method or per initial angular velocity.
 std::vector<Solution> solutions_of(const scene::Scene& scene, const std::atomic<bool>* stop) {
-  const auto& [omega, method, scene_control, duration] = scene.motion;
-  motion::StepControl control = scene_control;
+  const Eigen::Vector3d& omega = scene.motion.omega;
+  const std::string& method = scene.motion.method;
+  motion::StepControl control = scene.motion.control;
   control.stop = stop;
   std::vector<Solution> solutions;
   for (const std::string& other : scene.overlay.compare) {
@@ -155,7 +151,7 @@ Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
   for (const Solution& solution : solutions_) records_.push_back(record(solution));
 }
 
-/// Integrates once: the sample at a time is the same whichever others are requested.
+/// Integrates once, because the sample at a time does not depend on which others are requested.
 Timeline::Record Timeline::record(const Solution& solution) const {
   std::vector<double> times;
   for (const FrameTime& frame : frames_) times.push_back(frame.t);

@@ -13,7 +13,7 @@
 
 namespace twrench::timeline {
 
-/// When a frame shows the motion.
+/// The times of a frame.
 struct FrameTime {
   /// Number of the frame in the video.
   int frame = 0;
@@ -21,7 +21,7 @@ struct FrameTime {
   double video_time = 0.0;
   /// Time of the motion in s.
   double t = 0.0;
-  /// Seconds of motion in the time of one frame.
+  /// Seconds of motion per frame.
   double interval = 0.0;
 };
 
@@ -44,8 +44,8 @@ struct Solution {
   std::optional<motion::ExactMotion::Flips> flips;
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
-  /// What tells it apart from others side by side with it: its method, or the axis that it starts
-  /// about and the moment of inertia about that.
+  /// Distinguishes it from other motions in the same picture: its method, or the axis about which
+  /// it starts and the moment of inertia about that axis.
   std::string name = {};
 };
 
@@ -64,12 +64,12 @@ struct SolutionState {
   /// Samples while the shutter is open, which is half the frame interval.
   std::vector<motion::Sample> blur;
 
-  /// Returns how long before this state a sample of the trail lies, in units of the trail's length
-  /// in s: from 0 to 1.
+  /// Returns the age of a sample of the trail at this state, as a fraction of the trail's length in
+  /// s: from 0 to 1.
   double trail_age(const motion::Sample& of_trail, double trail_length) const;
 };
 
-/// The frame state: one instant of each motion, in the order of the motions.
+/// The state of a frame: one instant of each motion, in the order of the motions.
 struct FrameState {
   /// Number of the frame in the video.
   int frame = 0;
@@ -98,8 +98,8 @@ double trail_length(const scene::Scene& scene);
 class Timeline {
  public:
   /// Integrates everything that `frames` (in ascending order of t) need: one motion or, for a
-  /// comparison, one per method or initial angular velocity. Another thread can end that by `stop`,
-  /// as in StepControl; it may be null. Throws as trajectory() does.
+  /// comparison, one per method or initial angular velocity. Another thread can end the integration
+  /// through `stop`, as in StepControl; it may be null. Throws as trajectory() does.
   Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
            const std::atomic<bool>* stop = nullptr);
 
@@ -113,7 +113,7 @@ class Timeline {
   /// Returns the state of frames[index].
   FrameState frame_state(std::size_t index) const;
 
-  /// Returns the flips that frames[index] has behind it, of the first motion that has any.
+  /// Returns the flips up to frames[index], in the first motion that has flips.
   FlipsSoFar flips(std::size_t index) const;
 
  private:
@@ -132,7 +132,7 @@ class Timeline {
   std::vector<FrameTime> frames_;
   double trail_length_;
   double grid_step_;                        ///< Spacing in s.
-  std::vector<std::size_t> blur_ends_;      ///< Of each frame's blurred poses; see Record.
+  std::vector<std::size_t> blur_ends_;      ///< End of each frame's blurred poses; see Record.
   std::vector<std::int64_t> grid_numbers_;  ///< Ascending.
   std::vector<Solution> solutions_;
   std::vector<Record> records_;

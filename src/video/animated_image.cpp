@@ -19,22 +19,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "scale=640:360:flags=lanczos," where the frames have another size.
+/// Returns a filter such as "scale=640:360:flags=lanczos,"; nothing if the frames have that size.
 std::string scaling(const VideoFormat& format) {
   if (format.shown_width() == format.width) return "";
   return fmt::format("scale={}:{}:flags=lanczos+accurate_rnd+full_chroma_inp+full_chroma_int,",
                      format.shown_width(), format.shown_height());
 }
 
-/// One palette for all frames keeps what is at rest at rest.
+/// One palette for all frames, so that the colours of resting parts do not change.
 std::string palette_filter(const VideoFormat& format) {
   return fmt::format("palettegen=reserve_transparent={}", format.transparent ? 1 : 0);
 }
 
-/// A regular pattern, unlike error diffusion, does not crawl where nothing moves, and compresses.
+/// An ordered pattern, unlike error diffusion, does not crawl where nothing moves, and compresses.
 constexpr const char* drawing_filter = "paletteuse=dither=bayer:bayer_scale=4";
 
-/// From the input to [shown] and [palette].
+/// The filters from the input to the outputs [shown] and [palette].
 std::string palette_graph(const VideoFormat& format) {
   return fmt::format("[0:v]{}split[shown][seen];[seen]{}[palette]", scaling(format),
                      palette_filter(format));
@@ -65,7 +65,7 @@ std::array<char, 4> little_endian(std::uint32_t value) {
 
 constexpr std::size_t riff_header = 12;  // "RIFF", the size of what follows, "WEBP"
 
-/// Takes what a chunk of a WebP says of the picture. `data` is its beginning.
+/// Reads properties of the picture from a chunk of a WebP. `data` is the beginning of the chunk.
 void take_chunk(std::string_view name, const std::array<char, 16>& data, VideoProperties& webp) {
   const auto at = [&](std::size_t offset, int bytes) {
     return static_cast<int>(little_endian(data.data() + offset, bytes));
@@ -146,14 +146,14 @@ void append_comment(const fs::path& path, const std::string& comment) {
   file.read(head.data(), head.size());
   const auto length = static_cast<std::uint32_t>(comment.size());
   if (std::string_view(head.data(), head.size()) == "RIFF") {
-    // A chunk of its own, which readers skip: unlike XMP it may follow a picture of any kind.
+    // A separate chunk, which readers skip. Unlike XMP, it may follow a picture of any kind.
     file.seekp(0, std::ios::end);
     file.write("NOTE", 4).write(little_endian(length).data(), 4) << comment;
     if (length % 2 != 0) file.put('\0');
     const auto whole = static_cast<std::uint32_t>(file.tellp());
     file.seekp(4).write(little_endian(whole - 8).data(), 4);
   } else {
-    file.seekp(-1, std::ios::end);  // over the trailer, which comes again
+    file.seekp(-1, std::ios::end);  // over the trailer, which is written again
     file << "\x21\xFE" << static_cast<char>(length) << comment << '\0' << ';';
   }
   file.close();

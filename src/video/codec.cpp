@@ -27,13 +27,13 @@ constexpr Codec vp9{"libvpx-vp9",
                     "video in WebM, optionally with alpha"};
 /// Repeated for ever.
 constexpr Codec gif{"gif", "-loop 0", "animated images in GIF"};
-/// Repeated for ever. At a lower quality, libwebp leaves unchanged what has changed by two levels
-/// or more, and soft shadows leave a trace of blocks.
+/// Repeated for ever. At a lower quality, libwebp ignores changes of two levels or more, so that
+/// soft shadows leave a trace of blocks.
 constexpr Codec webp{"libwebp_anim", "-quality 97 -compression_level 4 -loop 0",
                      "animated images in WebP"};
 
-// Browsers slow down a GIF that shows a frame for less than 0.02 s, and a WebP for less than
-// 0.011 s. They play MOV, and mostly MKV, as MP4.
+// Browsers slow down a GIF that shows a frame for less than 0.02 s, and a WebP for less than 0.011
+// s. They play MOV, and usually MKV, as if it were MP4.
 constexpr std::array formats{OutputFormat{.container = Container::mp4,
                                           .ending = "mp4",
                                           .label = "MP4",
@@ -83,8 +83,8 @@ constexpr std::array formats{OutputFormat{.container = Container::mp4,
                                           .most_fps = 90}};
 static_assert(has_row_for_each(formats, &OutputFormat::container));
 
-/// The index precedes the frames, so that a player can start at once: it is moved there at the end
-/// or, in a streamed video, each fragment is preceded by its own.
+/// The index precedes the frames, so that a player can start at once. It is moved there at the end;
+/// in a streamed video, each fragment has its own index before it.
 std::string_view index_arguments(const OutputFormat& format, bool streamed) {
   if (!format.has_index) return "";
   return streamed ? "-movflags +frag_keyframe+empty_moov+default_base_moof"
@@ -105,7 +105,7 @@ std::string listed(const std::vector<std::string>& texts, std::string_view conju
 }
 
 Container container_named(std::string_view name) {
-  const auto format = std::ranges::find(formats, in_small_letters(name), &OutputFormat::ending);
+  const auto format = std::ranges::find(formats, to_lower(name), &OutputFormat::ending);
   if (format != formats.end()) return format->container;
   throw InvalidArgument(fmt::format("container '{}'", name),
                         "it is not a supported video container",
@@ -117,7 +117,7 @@ Container container_of(const std::filesystem::path& file) {
   try {
     return container_named(std::string_view(ending).substr(ending.empty() ? 0 : 1));
   } catch (const InvalidArgument&) {
-    throw InvalidArgument("video " + file.string(), "its name does not end in that of a container",
+    throw InvalidArgument("video " + file.string(), "its extension is not that of a video format",
                           "use " + listed(format_texts(&OutputFormat::extension), "or"));
   }
 }

@@ -18,21 +18,21 @@ struct Codec {
   const char* name;
   /// Its options.
   const char* options;
-  /// What it is used for, for people.
+  /// A description for users.
   const char* use;
 };
 
 /// A codec and the pixel format in which it encodes.
 struct Encoding {
   const Codec* codec;
-  /// ffmpeg's name; empty if the frames are in the codec's only one.
+  /// ffmpeg's name of the pixel format; if empty, ffmpeg chooses it.
   const char* pixels;
 };
 
 /// A file format of videos.
 struct OutputFormat {
   Container container;
-  /// The file extension, by which people also name the container.
+  /// The file extension, which is also the user's name for the container.
   const char* ending;
   /// The name in sentences.
   const char* label;
@@ -46,16 +46,16 @@ struct OutputFormat {
   Encoding transparent = {};
   /// Whether an index of the frames can precede them.
   bool has_index = false;
-  /// Whether it is an animated image, which plays without a player: any size, no chapters, repeated
-  /// for ever.
+  /// Whether it is an animated image: it plays without a player, has any size and no chapters, and
+  /// is repeated for ever.
   bool is_animated_image = false;
-  /// Whether all frames are drawn in one palette.
+  /// Whether all frames share one palette.
   bool has_palette = false;
   /// The largest number of frames per second that browsers do not slow down; 0 if there is none.
   double most_fps = 0;
 
   bool is_video() const { return !is_animated_image; }
-  /// Returns whether it keeps alpha. The pixels of a GIF are either opaque or transparent.
+  /// Returns whether the format keeps alpha. The pixels of a GIF are either opaque or transparent.
   bool keeps_alpha() const { return transparent.codec != nullptr; }
   /// Returns how frames with or without alpha are encoded.
   const Encoding& encoding(bool alpha) const { return alpha ? transparent : opaque; }
@@ -69,8 +69,8 @@ std::span<const OutputFormat> output_formats();
 /// Returns the format of a container.
 const OutputFormat& output_format(Container container);
 
-/// Returns a text of each format for which a condition holds; both are members of OutputFormat or
-/// functions of it.
+/// Returns `text` of each format that satisfies `condition`; both are members of OutputFormat or
+/// functions that take one.
 template <typename Text, typename Condition>
 std::vector<std::string> format_texts(Text text, Condition condition) {
   std::vector<std::string> texts;
@@ -86,11 +86,11 @@ std::vector<std::string> format_texts(Text text) {
   return format_texts(text, [](const OutputFormat&) { return true; });
 }
 
-/// Returns "a, b or c". `conjunction` is "or" or "and"; there must be two texts at least.
+/// Returns "a, b or c". `conjunction` is "or" or "and". Requires at least two texts.
 std::string listed(const std::vector<std::string>& texts, std::string_view conjunction);
 
-/// Returns the container of that name, which is also the file extension, in upper or lower case.
-/// Throws InvalidArgument for others.
+/// Returns the container with that name, which is its file extension, in upper or lower case.
+/// Throws InvalidArgument for unknown names.
 Container container_named(std::string_view name);
 
 /// Returns the container for the file's extension. Throws InvalidArgument if it has none or an
@@ -100,12 +100,13 @@ Container container_of(const std::filesystem::path& file);
 /// Returns whether it is an animated image.
 bool is_animated_image(Container container);
 
-/// The width in pixels of an animated image, unless another is asked for or its frames are smaller.
+/// The width in pixels of an animated image, unless another is requested or its frames are
+/// narrower.
 constexpr int widest_animation = 640;
 
 /// The size, rate and container of a video.
 struct VideoFormat {
-  /// Width of the frames in pixels; even, but for an animated image.
+  /// Width of the frames in pixels; even, except for an animated image.
   int width = 0;
   /// Height of the frames in pixels, likewise.
   int height = 0;
@@ -120,7 +121,7 @@ struct VideoFormat {
   /// Width in pixels to which an animated image is scaled; 0 leaves it as it is.
   int scaled_width = 0;
 
-  /// Returns whether the frames go to ffmpeg as RGB or RGBA, not as Y'CbCr.
+  /// Returns whether ffmpeg receives the frames as RGB or RGBA instead of Y'CbCr.
   bool is_rgb() const { return transparent || is_animated_image(container); }
 
   /// Returns the width of the video in pixels.
@@ -128,8 +129,8 @@ struct VideoFormat {
   /// Returns its height in pixels.
   int shown_height() const;
 
-  /// Returns of how many frames the video keeps one: of a film faster than OutputFormat::most_fps
-  /// every second frame, or every third, at evenly spaced times.
+  /// Returns n if the video keeps every nth frame. It is 2 or more if the film is faster than
+  /// OutputFormat::most_fps, otherwise 1. The kept frames are evenly spaced in time.
   int frame_step() const;
 };
 
@@ -137,7 +138,7 @@ struct VideoFormat {
 inline constexpr const char* bt709_tags =
     "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
 
-/// Returns ffmpeg's arguments after the input: codec and container. Where frames have alpha, the
+/// Returns ffmpeg's arguments after the input: codec and container. If the frames have alpha, the
 /// container must keep it. A `streamed` video is fragmented and written from front to back, because
 /// a pipe is not seekable.
 std::string codec_arguments(Container container, bool alpha, bool streamed);

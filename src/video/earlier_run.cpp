@@ -31,13 +31,13 @@ EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
   // In this order, because a run that starts at this moment writes its manifest before any frame.
   const bool has_any_frames = has_frames(folder_);
   const std::vector<std::filesystem::path> manifests = manifests_in(folder_);
-  for (const auto& manifest : manifests) look_at(manifest, film, frames);
+  for (const auto& manifest : manifests) examine(manifest, film, frames);
   if (objection_.empty() && has_any_frames && manifests.empty()) {
     objection_ = "contains frames without a manifest";
   }
 }
 
-void EarlierRun::object_to(const std::filesystem::path& manifest, const std::string& why) {
+void EarlierRun::add_objection(const std::filesystem::path& manifest, const std::string& why) {
   foreign_.push_back(manifest);
   outdated_ = false;
   if (objection_.empty()) {
@@ -54,13 +54,13 @@ bool EarlierRun::draws_any(const Manifest& head, const std::vector<int>& frames)
                              [&](int frame) { return std::ranges::binary_search(frames, frame); });
 }
 
-void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& film,
+void EarlierRun::examine(const std::filesystem::path& manifest, const Manifest& film,
                          const std::vector<int>& frames) {
   try {
     const Manifest head = read_manifest_head(manifest);
     if (!same_film(head, film)) {
       const bool first = objection_.empty();
-      object_to(manifest, "frames of another scene, mesh, font, size, renderer or version");
+      add_objection(manifest, "frames of another scene, mesh, font, size, renderer or version");
       outdated_ = first && head.shard == film.shard && same_but_for_meshes(head, film);
       return;
     }
@@ -70,7 +70,7 @@ void EarlierRun::look_at(const std::filesystem::path& manifest, const Manifest& 
     for (const FrameRecord& record : records) by_number_.insert_or_assign(record.frame, record);
     if (is_own) own_ = std::move(records);
   } catch (const system::FileError&) {
-    object_to(manifest, "a manifest that is damaged or was not written by this program");
+    add_objection(manifest, "a manifest that is damaged or was not written by this program");
   }
 }
 

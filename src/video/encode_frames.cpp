@@ -25,8 +25,8 @@
 namespace twrench::video {
 namespace {
 
-/// Removes the records without a file from the manifest, and returns the frames of its range that
-/// it then lacks.
+/// Removes from the manifest the records whose file is missing, and returns the frames of its range
+/// that it then lacks.
 std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path& folder) {
   std::erase_if(manifest.frames, [&](const FrameRecord& record) {
     return !std::filesystem::exists(folder / record.file);
@@ -48,7 +48,7 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
                     FramesError::Reason::missing, missing);
 }
 
-/// Returns the frame as it was drawn, in that memory, or throws FileError.
+/// Reads a frame into `memory`. Throws FileError if it differs from the frame that was drawn.
 image::Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
                         const Manifest& manifest, std::vector<std::uint8_t> memory = {}) {
   constexpr std::size_t longest = 1U << 30U;
@@ -56,7 +56,7 @@ image::Image read_frame(const FrameRecord& record, const std::filesystem::path& 
   const auto png = system::read_regular_file(path, longest);
   if (system::sha256_hex(png) != record.sha256) {
     throw FramesError("cannot use " + path.string(),
-                      "it is not the file that the manifest describes",
+                      "its contents do not match the digest in the manifest",
                       FramesError::Reason::altered, {record.frame});
   }
   image::Image image = image::decode_png(png, path.string(), std::move(memory));
@@ -69,7 +69,7 @@ image::Image read_frame(const FrameRecord& record, const std::filesystem::path& 
   return image;
 }
 
-/// Throws unless the frame is transparent if the first one is.
+/// Throws if only one of the frame and the first frame has alpha.
 void require_alpha_as_first(const image::Image& frame, bool transparent,
                             const std::filesystem::path& path) {
   if ((frame.channels == 4) == transparent) return;
@@ -108,13 +108,14 @@ class FrameReader {
     }
   }
 
-  /// No encoder takes frames faster than eight threads read them, and each holds one in memory.
+  /// At most eight, because no encoder is faster than eight threads, and each keeps a frame in
+  /// memory.
   const std::size_t at_once_ = std::min(system::processor_count(), 8U);
   const Manifest& manifest_;
   const std::filesystem::path folder_;
   std::vector<FrameRecord>::const_iterator next_;
   std::vector<std::uint8_t> memory_;
-  std::deque<std::future<image::Image>> begun_;  ///< last: joined before what they use is destroyed
+  std::deque<std::future<image::Image>> begun_;  ///< declared last, so that they are joined first
 };
 
 /// The video must not replace one of its inputs.
@@ -126,14 +127,14 @@ void require_no_input(const std::filesystem::path& output, const std::filesystem
   }
 }
 
-/// The caption of a shot of the scene as its manifest has it, which may come from anywhere.
+/// The caption of a shot in the manifest's scene, which may come from an untrusted source.
 std::string caption_of(const nlohmann::ordered_json& scene, int shot) {
   const nlohmann::ordered_json::json_pointer place(fmt::format("/shot/{}/caption", shot));
   if (!scene.contains(place) || !scene.at(place).is_string()) return "";
   return scene.at(place).get<std::string>();
 }
 
-/// An animated image has none.
+/// The captions and chapters of a video; none for an animated image.
 TextTracks text_tracks_of(const Manifest& manifest, const VideoOutput& output) {
   const std::vector<FrameRecord>& frames = manifest.frames;
   TextTracks tracks;
@@ -176,7 +177,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   if (output.path.has_parent_path()) system::make_folder(output.path.parent_path());
   const TextTracks tracks = text_tracks_of(manifest, output);
   VideoEncoder encoder(output.path, format, identity, tracks.chapters);
-  // Another run may have written it since, for whose end the encoder waited.
+  // While the encoder waited for another run to end, that run may have written the video.
   if (!output.overwrite) require_replaceable(output.path, identity);
   TextTrackFiles track_files(output.path, tracks, identity, output.overwrite);
   FrameReader reader(manifest, folder);

@@ -10,12 +10,12 @@
 
 namespace twrench::video {
 
-/// What to do if frames of the range are missing.
+/// How to treat missing frames of the range.
 enum class Missing { refuse, leave_out };
 
-/// Where a video is written.
+/// The destination and the options of a video.
 struct VideoOutput {
-  /// "-" for standard output
+  /// A file, or "-" for standard output.
   std::filesystem::path path;
   /// Container of the video.
   Container container = Container::mp4;
@@ -23,17 +23,17 @@ struct VideoOutput {
   bool overwrite = false;
   /// Whether the flips become chapters.
   bool chapters = true;
-  /// Width in pixels to which an animated image is scaled; if nothing, at most widest_animation.
+  /// Width in pixels to which an animated image is scaled; if not given, at most widest_animation.
   std::optional<int> width = std::nullopt;
 };
 
-/// Makes the film of the frames in a folder, of which its manifests tell: the one of a run, those
-/// of shards, or both, all of the same film, with its captions and chapters. Each file is held
-/// against its digest before it is used. `progress` hears how many of how many frames are done.
-/// Returns the frames left out. Throws FramesError as read_manifests, when frames of the range are
-/// missing and that is not allowed, or all are, or when a file is not the one that was drawn;
-/// OverwriteError where the output is one of the folder's own files, or another film that must not
-/// be overwritten; and as VideoEncoder does.
+/// Encodes the frames in a folder as listed in its manifests: the one of a run, those of shards, or
+/// both, all of the same film. Adds captions and chapters. Verifies the digest of each file before
+/// using it. `progress` receives the numbers of encoded frames and of all frames. Returns the
+/// frames left out. Throws FramesError as read_manifests() does, if frames of the range are missing
+/// and that is not allowed, if all are missing, or if a file differs from the frame that was drawn;
+/// OverwriteError if the output is a file of the folder, or another film that must not be
+/// overwritten; and as VideoEncoder does.
 std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoOutput& output,
                                Missing missing,
                                const std::function<void(int done, int total)>& progress);

@@ -26,14 +26,14 @@ system::ChildProcess start_ffmpeg(const Arguments& command, system::Patience pat
                                              patience, output);
 }
 
-/// Why ffmpeg failed, with its own message.
+/// The reason why ffmpeg failed, with its own message.
 std::string failure(const system::ChildProcess& ffmpeg, int status) {
-  const std::string said = system::last_words(ffmpeg.error_output());
-  if (ffmpeg.hung()) return "ffmpeg stopped responding and was killed: " + said;
+  const std::string said = system::error_summary(ffmpeg.error_output());
+  if (ffmpeg.timed_out()) return "ffmpeg stopped responding and was killed: " + said;
   return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
 }
 
-/// The system's error number of the file, if that is why ffmpeg failed; otherwise 0.
+/// The system's error number of the file if it made ffmpeg fail; otherwise 0.
 int file_failure(const std::string& said, int status) {
   if (status == 128 + SIGXFSZ) return EFBIG;
   if (status == 128 + SIGPIPE) return EPIPE;
@@ -49,7 +49,7 @@ std::string output_argument(const system::PendingFile& file) {
   return file.is_direct() ? "pipe:1" : "file:" + file.path().string();
 }
 
-/// The arguments of the second input, which has the chapters.
+/// The arguments of the second input, which contains the chapters.
 Arguments chapter_arguments(const std::optional<system::MemoryFile>& chapters) {
   if (!chapters) return {};
   return {
@@ -72,8 +72,9 @@ void require_encoder(const VideoFormat& format, system::Patience patience) {
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
         "ffmpeg cannot encode the video", failure(ffmpeg, status),
-        fmt::format("choose a smaller size, or install one that has {}: apt-get install ffmpeg",
-                    output_format(format.container).encoding(format.transparent).codec->name));
+        fmt::format(
+            "choose a smaller size, or install an ffmpeg that has {}: apt-get install ffmpeg",
+            output_format(format.container).encoding(format.transparent).codec->name));
   }
   ffprobe.wait();
 }
@@ -96,7 +97,7 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
   start(passes_ ? joined({input, passes_->first(format)}) : joined({input, rest_of_command()}));
 }
 
-/// The arguments after the input of raw frames, if there is one pass.
+/// The arguments after the input of raw frames, if there is only one pass.
 Arguments VideoEncoder::rest_of_command() const {
   VideoFormat format = format_;
   format.streamed = file_.is_direct();  // it may not be seekable
@@ -140,8 +141,8 @@ void VideoEncoder::write_converted() {
   if (is_kept()) {
     const auto frame = format_.is_rgb() ? std::span<const std::uint8_t>(rgb_)
                                         : converted_[current_].planes.bytes();
-    // A lent frame has been read by the time its memory is reused for the next but one: the frame
-    // in between, at least as large as the pipe, has pushed it through.
+    // The memory of a lent frame is reused for the next frame but one. ffmpeg has read it by then,
+    // because the frame in between is at least as large as the pipe and has displaced it.
     const bool may_lend = !format_.is_rgb() && frame.size() >= ffmpeg_->pipe_size();
     if (!(may_lend ? ffmpeg_->lend(frame) : ffmpeg_->write(frame))) fail();
   }
@@ -184,7 +185,7 @@ void VideoEncoder::require_whole() const {
   const double fps = format_.fps / static_cast<double>(step_);
   const double duration = static_cast<double>(frames) / fps;
   const bool is_animation = is_animated_image(format_.container);
-  // Frames of an animated image that show the same may be one, and a single one has no duration.
+  // An animated image may merge equal frames, and a single frame has no duration.
   const auto is_right = [&](const VideoProperties& of) {
     return of.width == width && of.height == height &&
            (of.frames == frames || (is_animation && of.frames < frames && of.frames > 0));

@@ -24,35 +24,37 @@
 
 namespace twrench::video {
 
-/// Encodes a one-frame video with the same arguments; call it before the first frame is drawn.
-/// Throws EncoderError if ffmpeg or ffprobe is missing, fails or hangs, and InvalidArgument as
-/// encoder_arguments() does.
+/// Encodes a one-frame video with the arguments for this format, to find out whether ffmpeg works.
+/// Call it before the first frame is drawn. Throws EncoderError if ffmpeg or ffprobe is missing,
+/// fails or hangs, and InvalidArgument as encoder_arguments() does.
 void require_encoder(const VideoFormat& format, system::Patience patience = {});
 
-/// A video being encoded by an ffmpeg process that is fed frames. The output appears under its name
+/// Encodes a video by feeding its frames to an ffmpeg process. The output appears under its name
 /// when the video is complete, and not at all otherwise. If ffmpeg exhausts the patience, it is
 /// killed and encoding fails.
 class VideoEncoder {
  public:
-  /// `output` is a file, or "-" for standard output; the video is streamed to that, to devices and
-  /// to pipes. `identity` becomes the video's comment, and `chapters` its own, where the container
-  /// has such. Throws InvalidArgument as encoder_arguments() does, FileError if the output is not
-  /// writable or another process is writing it, and EncoderError if ffmpeg is missing.
+  /// `output` is a file, or "-" for standard output. The video is streamed to standard output, to
+  /// devices and to pipes. `identity` becomes the video's comment, and `chapters` its chapters, if
+  /// the container supports them. Throws InvalidArgument as encoder_arguments() does, FileError if
+  /// the output is not writable or another process is writing it, and EncoderError if ffmpeg is
+  /// missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
                const std::string& identity = {}, const std::vector<Cue>& chapters = {},
                system::Patience patience = {});
 
-  /// Adds a frame, which must have the video's size, and be RGBA if the video is transparent, else
-  /// RGB. Throws EncoderError if ffmpeg failed.
+  /// Adds a frame, which must have the video's size, and be RGBA if the video is transparent,
+  /// otherwise RGB. Throws EncoderError if ffmpeg failed.
   void write(const image::Image& frame);
 
-  /// The two halves of write(). A frame equals its static background outside its damaged areas:
-  /// after other frames with that background, only they and those of an earlier one are converted.
+  /// The two halves of write(). A frame equals its static background outside its damaged areas. If
+  /// earlier frames had the same background, only these areas and those of an earlier frame are
+  /// converted.
   void convert(const image::Frame& frame) { convert(frame.image, frame.damage, frame.background); }
   void write_converted();
 
-  /// Completes the video and verifies that it matches what was written. Throws EncoderError if
-  /// ffmpeg failed or the video does not match, and FileError.
+  /// Completes the video and verifies its size, number of frames and duration. Throws EncoderError
+  /// if ffmpeg failed or the video does not match, and FileError.
   void finish();
 
  private:
@@ -64,24 +66,24 @@ class VideoEncoder {
   void start(Arguments command);
   /// The second pass of an animated image with a palette.
   void draw_in_palette();
-  /// Returns whether the next frame is one of those that the video keeps.
+  /// Returns whether the video keeps the next frame.
   bool is_kept() const { return frames_ % step_ == 0; }
   [[noreturn]] void fail();
   void require_whole() const;
 
   const VideoFormat format_;
-  const std::int64_t step_;  ///< Of how many frames one is kept.
+  const std::int64_t step_;  ///< One of this many frames is kept.
   const std::string identity_;
   const system::Patience patience_;
   /// Name of the output, for messages.
   const std::string name_;
   std::optional<system::MemoryFile> chapters_;
   system::PendingFile file_;
-  std::optional<PalettePasses> passes_;  ///< Of an animated image with a palette.
+  std::optional<PalettePasses> passes_;  ///< Set for an animated image with a palette.
   Arguments command_;
   std::unique_ptr<system::ChildProcess>
       ffmpeg_;  // declared after the files, so that it is killed before they are removed
-  /// A frame as it is, for a video that takes RGB.
+  /// The frame without conversion, for a video that takes RGB or RGBA.
   std::vector<std::uint8_t> rgb_;
   /// A frame in ffmpeg's format, and its damaged areas relative to the static background.
   struct Converted {

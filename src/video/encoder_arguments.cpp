@@ -37,8 +37,8 @@ std::string rational(double fps) {
   }
 }
 
-/// From RGBA. ProRes takes its tags from the frames, not from the options. Without accurate_rnd the
-/// conversion darkens colours by a tenth of a level on average.
+/// Converts from RGBA. ProRes takes its tags from the frames, not from the options. Without
+/// accurate_rnd, the conversion darkens colours by a tenth of a level on average.
 constexpr const char* conversion =
     "-vf scale=in_range=pc:out_range=tv:out_color_matrix=bt709:flags=bicubic+accurate_rnd,"
     "setparams=color_primaries=bt709:color_trc=bt709:colorspace=bt709";
@@ -89,8 +89,8 @@ Arguments joined(std::initializer_list<Arguments> groups) {
 Arguments input_arguments(const VideoFormat& format) {
   require_valid_size(format);
   require_kept_alpha(format);
-  // Planar frames are tagged at the input too: since 7.1, ffmpeg's encoders tag a video as its
-  // frames are tagged, whatever the output options say.
+  // Planar frames are tagged at the input too: since 7.1, ffmpeg's encoders copy the tags of the
+  // frames to the video, whatever the output options say.
   const std::string frame_tags =
       format.is_rgb() ? "" : fmt::format("{} -chroma_sample_location left", bt709_tags);
   return words(

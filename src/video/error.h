@@ -11,10 +11,10 @@ struct EncoderError : Error {
   using Error::Error;
 };
 
-/// A film of a size that its format cannot have.
+/// The format of a film does not support its size.
 class FilmSizeError : public InvalidArgument {
  public:
-  /// `width` and `height`, pixels, are the nearest that it can have, and no smaller.
+  /// `width` and `height` are the nearest supported size in pixels that is not smaller.
   FilmSizeError(const std::string& quantity, const std::string& why, int width, int height)
       : InvalidArgument(quantity, why), width_(width), height_(height) {}
 
@@ -25,14 +25,14 @@ class FilmSizeError : public InvalidArgument {
   int width_, height_;
 };
 
-/// A folder's frames are not those that its manifests tell of.
+/// The frames in a folder do not match its manifests.
 class FramesError : public system::FileError {
  public:
   enum class Reason {
-    no_manifest,    ///< of that folder
-    contradictory,  ///< manifests tell of different films
-    missing,        ///< frames that were asked for are not there
-    altered,        ///< a frame is not the file that was drawn
+    no_manifest,    ///< the folder has none
+    contradictory,  ///< manifests describe different films
+    missing,        ///< requested frames do not exist
+    altered,        ///< a file differs from the frame that was drawn
   };
 
   FramesError(const std::string& what, const std::string& why, Reason reason,

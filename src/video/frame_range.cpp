@@ -22,7 +22,7 @@ struct Run {
   int step;
 };
 
-/// Parses the entire text as a number; nothing if it is not one or does not fit.
+/// Parses the entire text as a number; nothing if it is not a number or is too large.
 std::optional<int> number(std::string_view digits) {
   int value = 0;
   const char* end = digits.data() + digits.size();
@@ -33,8 +33,8 @@ std::optional<int> number(std::string_view digits) {
   return value;
 }
 
-/// Removes the part before the first `separator`, with the separator, from `text` and returns it;
-/// all of it if there is none.
+/// Removes the part before the first `separator`, and the separator, from `text`, and returns that
+/// part; the whole text if it has no separator.
 std::string_view take_until(std::string_view& text, char separator) {
   const std::size_t at = text.find(separator);
   const std::string_view head = text.substr(0, at);
@@ -76,7 +76,7 @@ std::vector<Run> parse_runs(std::string_view range, int frame_count) {
     named += (run->last - run->first) / run->step + 1;
     if (named > most_named) {
       throw InvalidArgument(
-          what, fmt::format("it lists more than {} frames, many of them repeatedly", most_named));
+          what, fmt::format("it lists more than {} frames, including repetitions", most_named));
     }
     runs.push_back(*run);
   }

@@ -7,13 +7,13 @@
 
 namespace twrench::video {
 
-/// The maximum number of frames of a video, two days at 60 per second. Bounds what input can
-/// allocate.
+/// The maximum number of frames of a video, two days at 60 per second. Limits the memory that input
+/// can request.
 constexpr int max_frame_count = 10'000'000;
 
 /// Returns the frames that a RANGE selects, ascending and without repetition. RANGE is `a`, `a-b`
-/// (both included) or `a-b:step`, several separated by commas; frame numbers are 0 to frame_count -
-/// 1. Throws InvalidArgument with the invalid part and what is allowed.
+/// (both included) or `a-b:step`, several separated by commas; frame numbers are less than
+/// frame_count. Throws InvalidArgument with the invalid part and the allowed values.
 std::vector<int> parse_frame_range(std::string_view range, int frame_count);
 
 /// Throws as parse_frame_range() does, without listing the frames.

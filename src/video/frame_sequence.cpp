@@ -100,7 +100,8 @@ void FrameSequence::write_manifest() {
       });
   file.commit();
   finished_ = true;
-  // Every five seconds, but for a long video at most a twentieth of the time.
+  // Every five seconds, but in a long video so rarely that it takes at most a twentieth of the
+  // time.
   next_manifest_ = Clock::now() +
                    std::max<Clock::duration>(std::chrono::seconds(5), 20 * (Clock::now() - start));
 }

@@ -21,9 +21,9 @@ namespace twrench::video {
 /// guarded by hold_termination(), so that the TerminationAction of a run can call finish().
 class FrameSequence {
  public:
-  /// Creates the folder if it is missing, and locks it: for this run, or for all shards if it draws
-  /// one. `manifest` has no frames. Throws FileError, also if another run writes to the folder, or
-  /// draws the same shard.
+  /// Creates the folder if it is missing. Locks it for this run or, if the run draws a shard, for
+  /// all shards. `manifest` has no frames. Throws FileError, also if another run writes to the
+  /// folder or draws the same shard.
   FrameSequence(std::filesystem::path folder, Manifest manifest);
 
   /// Sets the range of the manifest. Call it before the first frame.
@@ -35,8 +35,8 @@ class FrameSequence {
   FrameSequence(const FrameSequence&) = delete;
   FrameSequence& operator=(const FrameSequence&) = delete;
 
-  /// Writes a frame's PNG and records it; `record`, which must outlive the sequence, needs no file
-  /// and no sha256. Frames may arrive in any order and from several threads. Throws FileError.
+  /// Writes a frame's PNG and records it. `record` must outlive the sequence; its file and sha256
+  /// may be empty. Frames may arrive in any order and from several threads. Throws FileError.
   void write(const FrameRecord& record, std::span<const std::uint8_t> png);
   void write(const FrameRecord&& record, std::span<const std::uint8_t> png) = delete;
 
@@ -53,7 +53,7 @@ class FrameSequence {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A frame in the folder. Compact, because ten thousand of them should not be held twice.
+  /// A frame in the folder. Compact, so that ten thousand of them are not kept in memory twice.
   struct Frame {
     const FrameRecord* record;
     std::array<char, 64> sha256;
@@ -64,7 +64,7 @@ class FrameSequence {
 
   const std::filesystem::path folder_;
   const system::FolderLock lock_;
-  /// None for a whole video. Never becomes the manifest.
+  /// Locks this run's shard; empty for a whole video. It is never committed.
   std::optional<system::PendingFile> shard_claim_;
   Manifest manifest_;
   /// Ascending by number.

@@ -26,7 +26,7 @@ std::string format_head(const Manifest& manifest) {
     text += fmt::format("{}: {},\n", json_text(key), json_text(value));
   }
   text.pop_back();  // the line end, which is added again
-  return text.append(line_of_frames) + "\n";
+  return text.append(frames_marker) + "\n";
 }
 
 std::string format_frame(const FrameRecord& record) {
@@ -43,8 +43,8 @@ std::string format_frame(const FrameRecord& record) {
       .dump();
 }
 
-/// Whether two values of a scene are equal, but for a mesh's digest and, where that is another, the
-/// density that a given mass makes.
+/// Returns whether two values of a scene are equal, ignoring the digests of meshes and, if a digest
+/// differs, the density computed from a given mass.
 bool equal_but_for_meshes(const nlohmann::ordered_json& a, const nlohmann::ordered_json& b) {
   if (!a.is_structured() || a.type() != b.type() || a.size() != b.size()) return a == b;
   if (a.is_array()) return std::ranges::equal(a, b, equal_but_for_meshes);

@@ -22,9 +22,9 @@ struct FrameRecord {
   double t = 0.0;
   /// Index of the shot; 0 in a film without shots.
   int shot = 0;
-  /// How often the body has turned over by then.
+  /// Number of flips of the body so far.
   int flips = 0;
-  /// When it last did, in s; meaningless before the first flip.
+  /// Time of the last flip in s; meaningless before the first flip.
   double last_flip = 0.0;
   /// The pose, space_from_body.
   std::array<double, 9> X{};
@@ -72,17 +72,17 @@ std::string frame_file_name(int frame);
 /// program version, scene, font, GL renderer and size.
 bool same_film(const Manifest& a, const Manifest& b);
 
-/// Returns whether the films are the same but for what is in the files of their meshes.
+/// Returns whether the films are the same except for the contents of their mesh files.
 bool same_but_for_meshes(const Manifest& a, const Manifest& b);
 
 /// Returns the manifest as JSON with one frame per line; doubles survive the round trip exactly.
 std::string format_manifest(const Manifest& manifest);
 
 /// The text before the frames, after everything else.
-inline constexpr std::string_view line_of_frames = "\n\"frames\": [";
+inline constexpr std::string_view frames_marker = "\n\"frames\": [";
 
-/// Writes the same text piece by piece, for manifests too long to be held twice: its `count` frames
-/// are those that `frame` returns, not its own.
+/// Writes the same text in pieces, for manifests too long to be in memory twice. The frames are the
+/// `count` that `frame` returns, instead of those in `manifest`.
 void write_manifest(const Manifest& manifest, std::size_t count,
                     const std::function<FrameRecord(std::size_t)>& frame,
                     const std::function<void(std::string_view)>& write);

@@ -51,7 +51,7 @@ class Union {
       const auto [there, is_new] = frames_.emplace(record.frame, Found{record, paths_.size()});
       if (is_new || there->second.record.sha256 == record.sha256) continue;
       throw disagreement(paths_[there->second.path], path,
-                         fmt::format("they describe two different frames {}", record.frame));
+                         fmt::format("they record different digests for frame {}", record.frame));
     }
     paths_.push_back(path);
   }

@@ -39,13 +39,13 @@ std::string sha256(const ManifestValue& place) {
   return digest;
 }
 
-/// Frames drawn before there were such records have none.
+/// Returns 0 for frames that older versions recorded without this key.
 int count(const ManifestValue& place, const char* key) {
   return place.value().contains(key) ? place.key(key).integer(0, std::numeric_limits<int>::max())
                                      : 0;
 }
 
-/// Null before the first flip.
+/// The key is null before the first flip.
 double last_flip(const ManifestValue& place) {
   return count(place, "flips") > 0 ? place.key("last_flip").number() : 0.0;
 }
@@ -76,9 +76,9 @@ std::ptrdiff_t line_of(std::ifstream& text, std::size_t byte) {
   return line;
 }
 
-/// Parses a manifest's text as JSON without the frames, which are extracted as they are parsed: as
-/// JSON they would take several times the memory of their text. The nesting depth is limited,
-/// because the rest is traversed recursively.
+/// Parses a manifest's text as JSON, but extracts the frames as they are parsed: as JSON they would
+/// take several times the memory of their text. The nesting depth is limited, because the rest is
+/// traversed recursively.
 template <typename Input>
 Json parse_json(Input& text, const std::string& name, std::vector<FrameRecord>& frames) {
   constexpr int deepest = 32;
@@ -117,7 +117,7 @@ void check_frames(const std::vector<FrameRecord>& frames, const ManifestValue& p
     asked = std::find(asked, range.end(), record.frame);
     if (asked == range.end()) {
       place.fail(
-          fmt::format("in the range and in ascending order, which frame {} is not", record.frame));
+          fmt::format("in ascending order and inside the range; frame {} is not", record.frame));
     }
     ++asked;
   }
@@ -159,7 +159,7 @@ std::vector<std::string> texts(const ManifestValue& place) {
   return result;
 }
 
-/// From a text, or a stream of it.
+/// Parses a manifest from a text or a stream.
 template <typename Input>
 Manifest parse(Input& text, const std::string& name) {
   std::vector<FrameRecord> frames;
@@ -184,8 +184,8 @@ Manifest parse(Input& text, const std::string& name) {
           .frames = std::move(frames)};
 }
 
-/// Throws if a line is so long that reading it could exhaust the memory: our lines hold one frame,
-/// or the scene.
+/// Throws if a line is so long that reading it could exhaust the memory. A line that we wrote has
+/// one frame, or the scene.
 void check_lines(std::ifstream& file, const std::string& name) {
   constexpr std::size_t longest = 1UL << 24U;
   std::vector<char> portion(1UL << 16U);
@@ -200,7 +200,7 @@ void check_lines(std::ifstream& file, const std::string& name) {
   }
 }
 
-/// Does not open pipes, which would wait for a writer.
+/// Rejects pipes, because opening one would wait for a writer.
 std::ifstream open_manifest(const std::filesystem::path& path) {
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
@@ -236,12 +236,12 @@ Manifest read_manifest_head(const std::filesystem::path& path) {
     head.resize(before + portion);
     file.read(head.data() + before, portion);
     head.resize(before + static_cast<std::size_t>(file.gcount()));
-    const std::size_t end = head.find(line_of_frames, searched);
+    const std::size_t end = head.find(frames_marker, searched);
     if (end != std::string::npos) {
-      head.resize(end + line_of_frames.size());
+      head.resize(end + frames_marker.size());
       return parse_manifest(head + "]}", path.string());
     }
-    searched = head.size() - std::min(head.size(), line_of_frames.size());
+    searched = head.size() - std::min(head.size(), frames_marker.size());
   }
   Manifest manifest = read_manifest(path);
   manifest.frames.clear();

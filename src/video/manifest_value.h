@@ -10,8 +10,9 @@
 
 namespace twrench::video {
 
-/// A value of a manifest with its path, which error messages show: "frames[3].X". Refers to the
-/// JSON, which must outlive it. What reads a value throws FileError if it is not of that form.
+/// A value of a manifest and its path, such as "frames[3].X", for error messages. Refers to the
+/// JSON, which must outlive it. The functions that read a value throw FileError if it has another
+/// form.
 class ManifestValue {
  public:
   /// `manifest` names the manifest in messages; `path` is empty for the whole of it.
@@ -22,9 +23,9 @@ class ManifestValue {
 
   const nlohmann::ordered_json& value() const { return value_; }
 
-  /// The value of that key of an object.
+  /// Returns the value of a key of an object.
   ManifestValue key(const char* name) const;
-  /// The item of an array that has one of that index.
+  /// Returns an item of an array, which must have that index.
   ManifestValue item(std::size_t index) const;
   std::size_t size_of_array() const;
 

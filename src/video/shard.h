@@ -6,7 +6,7 @@
 
 namespace twrench::video {
 
-/// Part `index` of `count` into which several runs divide the same frames; index starts at 1.
+/// One of the parts into which several runs divide the same frames.
 struct Shard {
   /// Number of the part, from 1 to count.
   int index = 1;
@@ -21,14 +21,14 @@ struct Shard {
 Shard parse_shard(std::string_view text);
 std::string format_shard(const Shard& shard);
 
-/// Returns the frames of the shard: a run of consecutive frames; the sizes of shards differ by at
-/// most one. They are consecutive so that a short RANGE describes what a lost shard leaves missing,
-/// and the encoder reads the files in the order in which a machine wrote them; since all frames of
-/// a video cost nearly the same, interleaving would not balance the load better. Some shards are
-/// empty if there are fewer frames than shards.
+/// Returns the frames of the shard, which are consecutive. The sizes of shards differ by at most
+/// one. A short RANGE thus describes the frames that a lost shard leaves missing, and the encoder
+/// reads the files in the order in which a machine wrote them. Interleaving would not balance the
+/// load better, because all frames of a video cost nearly the same. Some shards are empty if there
+/// are fewer frames than shards.
 std::vector<int> frames_of_shard(const std::vector<int>& frames, const Shard& shard);
 
-/// The name of the manifest of a run that draws all frames, in its folder.
+/// The file name of the manifest of a run that draws all frames.
 constexpr const char* manifest_name = "manifest.json";
 
 /// Returns that name, or for a shard a name such as "manifest.0003-of-0010.json".

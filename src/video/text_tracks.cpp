@@ -22,7 +22,7 @@ std::string timestamp(double seconds) {
                      ms % 1000);
 }
 
-/// The text on one line, without characters that mean something in WebVTT.
+/// The text on one line, with characters escaped that have a meaning in WebVTT.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -41,7 +41,7 @@ std::string escaped(const std::string& text) {
 
 constexpr const char* note = "NOTE ";
 
-/// The beginning of a file, in which its note stands; empty if there is none.
+/// The beginning of a file, which contains its note; empty if there is no file.
 std::string head_of(const fs::path& path) {
   std::string head(256, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -50,13 +50,13 @@ std::string head_of(const fs::path& path) {
   return head;
 }
 
-bool stands(const fs::path& path) {
+bool is_nonempty_file(const fs::path& path) {
   std::error_code failed;
   return fs::is_regular_file(path, failed) && fs::file_size(path, failed) > 0;
 }
 
-/// Whether that is the beginning of a track of the video with that identity, or with one that
-/// begins so.
+/// Returns whether `text` is the beginning of a track of the video with that identity, or with one
+/// that begins with it.
 bool is_track_of(const std::string& text, const std::string& identity) {
   return text.find(note + identity) != std::string::npos;
 }
@@ -117,14 +117,14 @@ TextTrackFiles::TextTrackFiles(const fs::path& video, const TextTracks& tracks,
   for (const auto& [cues, ending] :
        {std::pair(&tracks.captions, ".vtt"), std::pair(&tracks.chapters, ".chapters.vtt")}) {
     const fs::path path = fs::path(video).replace_extension(ending);
-    const std::string before = stands(path) ? head_of(path) : "";
+    const std::string before = is_nonempty_file(path) ? head_of(path) : "";
     const bool is_own = is_track_of(before, identity);
     if (cues->empty()) {
       if (is_own || (overwrite && is_track_of(before, any_identity))) outdated_.push_back(path);
       continue;
     }
-    if (stands(path) && !is_own && !overwrite) {
-      throw system::OverwriteError(path.string(), "it exists and has texts of something else");
+    if (is_nonempty_file(path) && !is_own && !overwrite) {
+      throw system::OverwriteError(path.string(), "it exists and is a text track of another video");
     }
     const std::string text = web_vtt(*cues, identity);
     files_.emplace_back(path).write(

@@ -11,29 +11,29 @@
 
 namespace twrench::video {
 
-/// A text and when it holds, in s of video.
+/// A text and the time when it is shown, in s of video.
 struct Cue {
   double begin;
   double end;
   std::string text;
 };
 
-/// Returns the cues of a video whose frame i shows `text_of(i)`: one for every run of frames with
-/// the same text, and none where it is empty. Frames are shown `fps` a second.
+/// Returns the cues of a video whose frame i shows `text_of(i)`: one for each run of frames with
+/// the same text, and none for an empty text. `fps` is the number of frames per second.
 std::vector<Cue> cues_of(std::size_t frames, double fps,
                          const std::function<std::string(std::size_t)>& text_of);
 
-/// The texts that go with a video.
+/// The text tracks of a video.
 struct TextTracks {
-  /// What is said in the picture.
+  /// The captions shown in the picture.
   std::vector<Cue> captions;
-  /// Parts of the video that a player offers to jump to: without gaps from its start to its end,
-  /// or none.
+  /// Parts of the video that a player offers to jump to. They cover the video without gaps, or
+  /// there are none.
   std::vector<Cue> chapters;
 };
 
-/// Returns the chapters of a video whose frame i belongs to the one with the title `title_of(i)`:
-/// none where they would all be one.
+/// Returns the chapters of a video whose frame i belongs to the chapter with the title
+/// `title_of(i)`; none if there would be only one.
 std::vector<Cue> chapters_of(std::size_t frames, double fps,
                              const std::function<std::string(std::size_t)>& title_of);
 
@@ -44,19 +44,18 @@ std::string chapter_title(int flips, double last_flip);
 /// Returns the cues as WebVTT, with `identity` as a note.
 std::string web_vtt(const std::vector<Cue>& cues, const std::string& identity);
 
-/// Returns the chapters as ffmpeg reads them, in its format ffmetadata. Times are rounded up to
-/// milliseconds, so that the frame shown at that time is the chapter's first and not the one
-/// before.
+/// Returns the chapters in ffmpeg's format ffmetadata. Times are rounded up to milliseconds, so
+/// that the frame shown at that time is the chapter's first and not the one before.
 std::string chapter_metadata(const std::vector<Cue>& chapters);
 
-/// The text tracks of a video as WebVTT in files beside it: F.vtt for the captions, where players
-/// look for them, and F.chapters.vtt for the chapters. For an empty track none is written, and the
-/// one of the video before is removed; beside a video that is no file there are none. All that
-/// happens when finish() is called, or not at all.
+/// The text tracks of a video as WebVTT files beside it: F.vtt for the captions, where players look
+/// for them, and F.chapters.vtt for the chapters. For an empty track no file is written, and an
+/// earlier one of the same video is removed; with `overwrite`, also one of another video. A video
+/// that is not a file has no such files. Nothing is written or removed before finish().
 class TextTrackFiles {
  public:
-  /// `identity` is the video's. Throws OverwriteError where a file stands already and is not of
-  /// the same video, unless it may `overwrite` it, and FileError.
+  /// `identity` is that of the video. Throws OverwriteError if a file exists and belongs to another
+  /// video, unless `overwrite` is set, and FileError.
   TextTrackFiles(const std::filesystem::path& video, const TextTracks& tracks,
                  const std::string& identity, bool overwrite);
 
@@ -65,7 +64,7 @@ class TextTrackFiles {
 
  private:
   std::deque<system::PendingFile> files_;
-  std::vector<std::filesystem::path> outdated_;  ///< To be removed.
+  std::vector<std::filesystem::path> outdated_;  ///< Removed by finish().
 };
 
 }  // namespace twrench::video

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Matroska's tags are in capital letters.
+/// Matroska has its tags in capital letters.
 std::string comment_of(const nlohmann::json& said) {
   const nlohmann::json& format = said.at("format");
   if (!format.contains("tags")) return {};
@@ -33,7 +33,7 @@ std::string comment_of(const nlohmann::json& said) {
 
 /// Returns ffprobe's properties of the video as read by `read`; nothing if it is not a video.
 template <typename Read>
-auto ask(const fs::path& file, const std::vector<std::string>& how, Read&& read)
+auto run_ffprobe(const fs::path& file, const std::vector<std::string>& how, Read&& read)
     -> std::optional<decltype(read(nlohmann::json()))> {
   std::vector<std::string> command{"ffprobe", "-v", "error", "-select_streams", "v:0"};
   command.insert(command.end(), how.begin(), how.end());
@@ -67,7 +67,7 @@ system::ChildProcess::Time disk_time(const fs::path& file) {
 
 std::optional<VideoProperties> probe_video(const fs::path& file) {
   if (const auto webp = probe_webp(file)) return webp;
-  return ask(file, {"-count_packets"}, [](const nlohmann::json& said) {
+  return run_ffprobe(file, {"-count_packets"}, [](const nlohmann::json& said) {
     const nlohmann::json& stream = said.at("streams").at(0);
     return VideoProperties{stream.at("width").get<int>(), stream.at("height").get<int>(),
                            std::llround(number(stream, "nb_read_packets")),
@@ -88,9 +88,9 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   const bool stands = fs::is_regular_file(file, failed) && fs::file_size(file, failed) > 0;
   if (!stands || has_comment(file, identity)) return;
   const auto comment =
-      probe_webp(file) ? std::optional<std::string>("") : ask(file, {}, &comment_of);
+      probe_webp(file) ? std::optional<std::string>("") : run_ffprobe(file, {}, &comment_of);
   if (comment == identity) return;
-  throw system::OverwriteError(file.string(), comment ? "it exists and is a video of something else"
+  throw system::OverwriteError(file.string(), comment ? "it exists and is a different video"
                                                       : "it exists and is not a video");
 }
 

@@ -31,7 +31,7 @@ system::ChildProcess::Time disk_time(const std::filesystem::path& file);
 /// it is not a video. Throws EncoderError if ffprobe cannot be started.
 std::optional<VideoProperties> probe_video(const std::filesystem::path& file);
 
-/// How the comment begins that identifies a video.
+/// The beginning of a comment that identifies a video.
 inline constexpr const char* any_identity = "twrench:";
 
 /// Returns the comment that identifies a video: any_identity and the digest of everything that
@@ -39,8 +39,8 @@ inline constexpr const char* any_identity = "twrench:";
 /// included: the same video rendered again by another version counts as the same.
 std::string video_identity(const Manifest& film, const std::vector<int>& frames);
 
-/// Throws OverwriteError where the file stands already, and is not empty, nor the film of that
-/// identity: then it may only be replaced by one who says so.
+/// Throws OverwriteError if the file exists, is not empty, and is not the video with that identity.
+/// Such a file may be replaced only with the user's permission.
 void require_replaceable(const std::filesystem::path& file, const std::string& identity);
 
 }  // namespace twrench::video

@@ -1,4 +1,5 @@
-// That CONTRIBUTING.md names only what is there: a stranger finds each place of a recipe.
+// CONTRIBUTING.md names only files and identifiers that exist, so that a newcomer finds each place
+// in a recipe.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +14,8 @@ namespace {
 
 std::string contributing() { return file_text(project_folder() / "CONTRIBUTING.md"); }
 
-/// A file or folder of the project, and no command line: "src/motion/method.cpp".
+/// Whether the text is a file or folder of the project instead of a command line:
+/// "src/motion/method.cpp".
 bool is_path(const std::string& span) {
   static const std::regex pattern(
       R"((src|include|tests|docs|shaders|scripts|cmake|assets|bench|web|python)/[\w./-]*|[\w.-]+\.md)");
@@ -26,7 +28,7 @@ bool is_identifier(const std::string& span) {
   return std::regex_match(span, pattern);
 }
 
-/// The numbered steps of the recipes, each as one text.
+/// Returns the text of each numbered step of the recipes.
 std::vector<std::string> steps_of_recipes() {
   static const std::regex step(R"((^|\n)\d+\. [^\n]*(\n {2,}[^\n]*)*)");
   const std::string text = contributing();
@@ -37,7 +39,7 @@ std::vector<std::string> steps_of_recipes() {
   return steps;
 }
 
-/// Whether it stands in the text as a word of its own.
+/// Whether the text contains the whole word.
 bool has_word(const std::string& text, const std::string& word) {
   return std::regex_search(text, std::regex("\\b" + word + "\\b"));
 }
@@ -52,7 +54,7 @@ TEST(Contributing, NamesFilesThatAreThere) {
   EXPECT_GT(paths, 20);
 }
 
-// A step says first in which files, then what of the code is there.
+// A step names its files first, then identifiers in them.
 TEST(Contributing, NamesWhatIsInTheFilesOfItsStep) {
   int identifiers = 0;
   for (const std::string& step : steps_of_recipes()) {
@@ -75,7 +77,7 @@ TEST(Contributing, NamesWhatIsInTheFilesOfItsStep) {
 
 constexpr std::array recipe_names{"method", "shape", "overlay", "view", "theme", "output format"};
 
-/// What stands below "### Add a method"; nothing if there is no such recipe.
+/// Returns the recipe below a heading such as "### Add a method", or nothing if there is none.
 std::string recipe_of(const std::string& name) {
   const std::string text = contributing();
   std::smatch match;
@@ -106,7 +108,7 @@ Patch read_patch(const std::filesystem::path& file) {
   return patch;
 }
 
-/// "src/body/shapes" and the like, of the files that a recipe names.
+/// The folders of the files that a recipe names, such as "src/body/shapes".
 std::vector<std::string> folders_in(const std::string& recipe) {
   std::vector<std::string> folders;
   for (const std::string& span : code_spans(recipe)) {
@@ -115,8 +117,8 @@ std::vector<std::string> folders_in(const std::string& recipe) {
   return folders;
 }
 
-// A recipe names every file that its example changes. A new source lies beside a file that is
-// named.
+// A recipe names every file that its example changes. A new source is in the folder of a named
+// file.
 TEST(Contributing, HasRecipesThatNameEachFileOfTheirExamples) {
   using testing::Contains;
   for (const char* const name : recipe_names) {

@@ -26,11 +26,11 @@ bool is_source(const fs::path& path) {
 /// "picture/space/camera.h": "picture/space"
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
-/// Below which the library's headers are included: <twrench/motion/exact.h>.
+/// The prefix of the library's headers in #include lines: <twrench/motion/exact.h>.
 constexpr std::string_view public_folder = "twrench/";
 
-/// The library that a header belongs to; nothing for one of the C++ standard library, "" for one
-/// that no library claims.
+/// The library of a header: nothing for one of the C++ standard library, "" for a header of no
+/// known library.
 std::optional<std::string> library_of(const IncludeRules& rules, const std::string& header) {
   if (header.find_first_of("./") == std::string::npos) return std::nullopt;
   for (const auto& [pattern, library] : rules.libraries) {
@@ -40,7 +40,7 @@ std::optional<std::string> library_of(const IncludeRules& rules, const std::stri
   return "";
 }
 
-/// cmake/Embed.cmake makes these for the room that embeds the files.
+/// cmake/Embed.cmake generates these headers for the room that embeds the files.
 bool is_embedded(const Include& include) { return include.header.starts_with("embedded/"); }
 
 struct Arrows {
@@ -50,7 +50,7 @@ struct Arrows {
 
 void follow(const IncludeRules& rules, const Include& include, Arrows& arrows) {
   const auto row = rules.rooms.find(include.room);
-  if (row == rules.rooms.end() || is_embedded(include)) return;  // it is said of the room
+  if (row == rules.rooms.end() || is_embedded(include)) return;  // reported for the room
   const auto check = [&](const std::set<std::string>& allowed, std::set<std::string>& used,
                          const std::string& to) {
     used.insert(to);

@@ -1,4 +1,4 @@
-// That the checker finds what it is there to find, on known_rooms that are made up.
+// The checker finds each kind of violation in made-up rooms.
 #include "architecture/include_rules.h"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ std::vector<Include> sound_includes() {
           {"picture/space/camera.h:1", "picture/space", "math/so3.h", true}};
 }
 
-/// What is found broken when this line is there too.
+/// The violations after adding this line.
 std::vector<std::string> broken_with(const Include& include) {
   std::vector<Include> includes = sound_includes();
   includes.push_back(include);
@@ -92,7 +92,7 @@ TEST(IncludeRules, AnArrowThatNobodyNeeds) {
               ElementsAre(HasSubstr("picture/space does not include math")));
 }
 
-// Not the room that only looks at a circle from above.
+// A room that only includes from a circle is not in the circle.
 TEST(IncludeRules, ACircle) {
   IncludeRules rules = read_include_rules(document);
   rules.rooms["math"].rooms = {"picture/space"};

@@ -23,7 +23,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return pieces;
 }
 
-/// "| a | b |": the cells; none where the line is no row of a table.
+/// The cells of "| a | b |"; none if the line is not a row of a table.
 std::vector<std::string> cells_of(std::string line) {
   if (!line.starts_with("|")) return {};
   std::erase(line, '`');

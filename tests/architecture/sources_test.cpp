@@ -1,4 +1,4 @@
-// That the sources follow docs/architecture.md, and the document the sources.
+// The sources and docs/architecture.md agree.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Sources, IncludeOnlyWhatTheDocumentSaysTheyMay) {
   EXPECT_THAT(broken_rules(read_include_rules(architecture()), rooms, includes), IsEmpty());
 }
 
-/// The target that the files of a room are compiled into.
+/// The target that compiles the files of a room.
 std::string target_of(const std::string& room) {
   static const std::set<std::string> dynamics{"base", "math", "body", "motion", "study"};
   const std::string top = room.substr(0, room.find('/'));
@@ -64,7 +64,7 @@ TEST(Sources, AreLinkedToTheTargetsOfTheRoomsThatTheyInclude) {
   EXPECT_EQ(linked, included);
 }
 
-// Whoever links the library needs Eigen and nothing else to compile.
+// Programs that link the library need only Eigen to compile.
 TEST(Sources, OfThePublicHeadersNeedEigenAlone) {
   for (const Include& include : read_includes(public_headers())) {
     const bool is_of_a_library = include.header.find_first_of("./") != std::string::npos;
@@ -79,7 +79,7 @@ TEST(Sources, HaveNoCircle) {
   EXPECT_THAT(rooms_in_circles(read_include_rules(architecture())), IsEmpty());
 }
 
-// The dynamics are a library of their own, and build where there is no OpenGL, no font, no ffmpeg.
+// The dynamics are a separate library, which builds without OpenGL, fonts and ffmpeg.
 TEST(Sources, OfTheDynamicsNeedNoPicture) {
   const IncludeRules rules = read_include_rules(architecture());
   const std::set<std::string> dynamics{"base", "math", "body", "motion", "study"};
@@ -94,12 +94,12 @@ TEST(Sources, OfTheDynamicsNeedNoPicture) {
   }
 }
 
-/// The namespace of what a folder of src or include/twrench holds.
+/// The namespace of the sources in a folder of src or include/twrench.
 std::string namespace_of(const std::string& folder) {
   return folder == "base" ? "twrench" : "twrench::" + folder;
 }
 
-// One flat namespace once let the linker take two types of the same name for one.
+// In a flat namespace the linker once merged two types with the same name.
 TEST(Sources, AreInTheNamespaceOfTheirFolder) {
   // The functions of math have names as short as exp and log.
   const std::set<std::string> of_math{"twrench::so3", "twrench::elliptic", "twrench::elementary"};
@@ -122,8 +122,8 @@ TEST(Sources, AreInTheNamespaceOfTheirFolder) {
   }
 }
 
-// One place takes what is missing in a machine for what it is: no header of a driver is needed to
-// use a context.
+// Only one source depends on the drivers of the machine: using a context needs no header of a
+// driver.
 TEST(Sources, GiveNoDriversHeaderAway) {
   for (const Include& include : all_includes()) {
     const bool is_header = include.place.find(".h:") != std::string::npos;
@@ -132,7 +132,8 @@ TEST(Sources, GiveNoDriversHeaderAway) {
   }
 }
 
-// Each piece of hand-work names a file: what is gone is not defended any more.
+// Each piece of hand-written code in the table names existing files, so that removed code is no
+// longer listed.
 TEST(Sources, HaveTheHandWorkThatTheDocumentExplains) {
   for (const auto& row : markdown_table(architecture(), "ours")) {
     for (const std::string& path : split_list(row.at(1))) {

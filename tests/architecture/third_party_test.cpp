@@ -1,4 +1,4 @@
-// That THIRD-PARTY.md tells of all that is built into the program.
+// THIRD-PARTY.md lists all third-party code and fonts in the program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(ThirdParty, ListsEachLibraryThatIsCompiledIn) {
   EXPECT_GT(compiled_in, 4);
 }
 
-// The packages of fonts are those from which the build takes what it embeds.
+// The listed packages of fonts are those from which the build embeds fonts.
 TEST(ThirdParty, ListsEachFontOfTheBuild) {
   const std::string dependencies = file_text(project_folder() / "cmake/RenderDependencies.cmake");
   const std::regex package("fonts-[a-z0-9-]+");

@@ -37,7 +37,7 @@ TEST(Error, LeavesOutWholeCharacters) {
   EXPECT_EQ(message, "x ... : why");
 }
 
-// The length of the quantity separates the parts of a message.
+// Callers use the length of the quantity to split the message.
 TEST(Error, BeginsWithItsQuantity) {
   const InvalidArgument error(std::string(5000, 'q'), "why");
   EXPECT_EQ(error.what(), error.quantity() + ": why");

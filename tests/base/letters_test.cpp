@@ -6,9 +6,9 @@ namespace twrench {
 namespace {
 
 TEST(InSmallLetters, ChangesTheLettersOfEnglishAlone) {
-  EXPECT_EQ(in_small_letters("A.PNG z[@`{ 09"), "a.png z[@`{ 09");
-  EXPECT_EQ(in_small_letters("\xc3\x84\xd6\xff"), "\xc3\x84\xd6\xff");
-  EXPECT_EQ(in_small_letters(""), "");
+  EXPECT_EQ(to_lower("A.PNG z[@`{ 09"), "a.png z[@`{ 09");
+  EXPECT_EQ(to_lower("\xc3\x84\xd6\xff"), "\xc3\x84\xd6\xff");
+  EXPECT_EQ(to_lower(""), "");
 }
 
 }  // namespace

@@ -17,6 +17,11 @@ TEST(Nearest, ForgivesOneSlip) {
   EXPECT_EQ(nearest("lie_euler", methods()), "lie-euler");
 }
 
+TEST(Nearest, TakesCapitalLettersForSmallOnes) {
+  EXPECT_EQ(nearest("RKF45", methods()), "rkf45");
+  EXPECT_EQ(nearest("Heun", methods()), "heun");
+}
+
 TEST(Nearest, CountsASwapAsOne) { EXPECT_EQ(nearest("rfk45", methods()), "rkf45"); }
 
 TEST(Nearest, TakesTheNearestNotTheFirst) {

@@ -33,13 +33,13 @@ TEST(ForEachPart, UsesTheCallingThreadAloneForOnePartAndForOneThread) {
   const auto caller = std::this_thread::get_id();
   const auto here = [&](std::size_t, std::size_t) {
     EXPECT_EQ(std::this_thread::get_id(), caller);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // time for another to take the rest
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets another thread take the rest
   };
   for_each_part(20, 20, 8, here);
   for_each_part(20, 1, 1, here);
 }
 
-// Whichever thread is ahead: a message must not depend on that.
+// The message must not depend on which thread is ahead.
 TEST(ForEachPart, ReportsTheFirstOfSeveralFailures) {
   for (int round = 0; round < 100; ++round) {
     std::latch both_begun(2);

@@ -35,8 +35,8 @@ const std::vector<Form>& forms() {
 
 Matrix3d diagonal(double x, double y, double z) { return Vector3d(x, y, z).asDiagonal(); }
 
-// Of all kinds: a sphere's, a rod's, a plate's with nothing to spare, and those of the first
-// article in each order.
+// Moments of a sphere, of rods, of plates close to the limit of the triangle inequality, and 3, 4,
+// 5 in several orders.
 TEST(Equimomental, HasTheMomentsItWasMadeFrom) {
   for (const Form& form : forms()) {
     for (const Vector3d& moments :
@@ -89,8 +89,8 @@ TEST(Equimomental, OfAnImpossibleBodyIsNearlyFlat) {
   }
 }
 
-// The heavy discs lie on the axis of the least moment, the light ones on that of the intermediate
-// one, and all lie flat in the plane across the greatest.
+// The heavy discs lie on the axis of least moment and the light ones on the axis of intermediate
+// moment. All lie flat in the plane normal to the axis of greatest moment.
 TEST(EquimomentalCross, LiesAsTaoSays) {
   const auto parts = equimomental_cross(diagonal(4, 5, 3));
   const double arm = std::get<Box>(parts[0].shape).size.x() / 2;
@@ -108,14 +108,14 @@ TEST(EquimomentalCross, LiesAsTaoSays) {
   }
 }
 
-// Faces in one plane would flicker.
+// Coplanar faces would flicker.
 TEST(EquimomentalCross, HasArmsThinnerThanItsDiscs) {
   for (const Vector3d& moments : {Vector3d(3, 4, 5), Vector3d(1, 1, 1), Vector3d(1, 2, 3)}) {
     const auto parts = equimomental_cross(moments.asDiagonal());
     const double arms = std::get<Box>(parts[0].shape).size.z();
     EXPECT_EQ(arms, std::get<Box>(parts[1].shape).size.z());
     EXPECT_LT(arms, 0.9 * std::get<Cylinder>(parts[2].shape).length);
-    // The hub covers where they cross.
+    // The hub covers the crossing of the arms.
     EXPECT_GT(
         std::get<Cylinder>(parts[2].shape).radius,
         std::hypot(std::get<Box>(parts[0].shape).size.y(), std::get<Box>(parts[1].shape).size.x()) /

@@ -24,7 +24,7 @@ std::vector<Shape> shapes() {
                      {}})};
 }
 
-/// Directions all around.
+/// Returns directions spread evenly over the sphere.
 std::vector<Vector3d> directions() {
   std::vector<Vector3d> result;
   for (int i = 0; i < 2000; ++i) {
@@ -35,8 +35,8 @@ std::vector<Vector3d> directions() {
   return result;
 }
 
-// The support points of all directions are corners of the convex hull: none may be farther in a
-// direction than that direction's own.
+// The support points of all directions lie on the convex hull. In any direction, none may be
+// farther than that direction's own support point.
 TEST(Support, IsFarthestInItsDirection) {
   for (const Shape& shape : shapes()) {
     std::vector<Vector3d> points;

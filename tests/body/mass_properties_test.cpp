@@ -24,7 +24,7 @@ std::vector<Part> three_parts() {
           {Ellipsoid{{1, 0.5, 2}}, 5, {0, 3, -2}, so3::exp(Vector3d(-2, 0.1, 0.7))}};
 }
 
-/// Parts whose centroid is not their origin, and whose axes are not their principal ones.
+/// Parts with a centroid other than their origin and axes other than their principal axes.
 std::vector<Part> uneven_parts() {
   return {{Cone{1, 3, 0.5}, 2, {1, 2, 3}, so3::exp(Vector3d(0.3, 0.4, -1))},
           {make_mesh(moved(tetrahedron(2, 1.0), {1, 2, 0})),
@@ -61,7 +61,7 @@ TEST(MassProperties, ABoxCutInTwoIsTheSameBox) {
 TEST(MassProperties, OfAPartOfAMeshTogetherAreThoseOfTheWhole) {
   const std::vector<Part> whole{
       {make_mesh(tetrahedron(2, 1.0)), 2, {0, 0, 0}, Matrix3d::Identity()}};
-  // A point inside cuts it into four; each has a frame of its own.
+  // A point inside splits it into four tetrahedra, each with its own frame.
   const TriangleMesh mesh = tetrahedron(2, 1.0);
   const Vector3d middle = mass_properties(whole).centre_of_mass;
   std::vector<Part> pieces;
@@ -89,7 +89,7 @@ TEST(MassProperties, PrincipalAxesDiagonalise) {
   EXPECT_LE(body.moments[1], body.moments[2]);
 }
 
-/// The quantity that the parts are refused for.
+/// Returns the quantity that the error about the parts names.
 std::string refused(const std::vector<Part>& parts) {
   try {
     mass_properties(parts);
@@ -122,7 +122,7 @@ TEST(MassProperties, OfPartsThatCannotBeAreRefused) {
   }
 }
 
-/// The quantity that a body of one shape is refused for.
+/// Returns the quantity that the error about a body of one shape names.
 std::string refused_shape(const Shape& shape) {
   return refused({{shape, 1, Vector3d::Zero(), Matrix3d::Identity()}});
 }

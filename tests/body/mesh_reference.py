@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""The exact integrals that triangle_mesh_test.cpp holds ours against: mesh_reference.py.
+"""Computes the exact integrals for triangle_mesh_test.cpp: mesh_reference.py.
 
 Makes the same bodies as sample_meshes.h, coordinate by coordinate, integrates over them in rational
-arithmetic, rounds once, and prints the lines of mesh_reference.inc. Takes a minute.
+arithmetic, rounds once, and prints the lines of mesh_reference.inc. This takes a minute.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def tetrahedron(seed: int, flatness: float) -> Mesh:
 
 
 def lumpy_cube(n: int) -> Mesh:
-    """A cube's surface as a grid of n x n squares a side, each point moved along its own radius."""
+    """Returns a cube's surface as a grid of n x n squares per side, each point moved radially."""
     index: dict[tuple[int, int, int], int] = {}
     points: list[Point] = []
     faces = []
@@ -67,7 +67,7 @@ def lumpy_cube(n: int) -> Mesh:
 
 
 def hollow(outside: Mesh, thinness: float) -> Mesh:
-    """A body with a cavity of its own form, so that all but a layer is taken away again."""
+    """Returns a body with a cavity of the same shape, so that only a thin layer remains."""
     points, faces = outside
     inside = [tuple(c * (1 - thinness) for c in p) for p in points]
     n = len(points)
@@ -90,7 +90,7 @@ def toutatis() -> Mesh:
 
 
 def integrals(points: list[Point], faces: list[tuple[int, int, int]]) -> list[Fraction]:
-    """Volume, centroid, and the inertia's xx, yy, zz, yz, xz, xy about it, for density 1."""
+    """Returns the volume, centroid, and inertia (xx, yy, zz, yz, xz, xy) for density 1."""
     exact = [tuple(map(Fraction, p)) for p in points]
     pairs = [(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]
     volume, first, second = Fraction(0), [Fraction(0)] * 3, [Fraction(0)] * 6

@@ -12,7 +12,7 @@
 
 namespace twrench::body {
 
-// The bodies of mesh_reference.py, to the last bit.
+// The same bodies as in mesh_reference.py, to the last bit.
 
 /// Knuth's linear congruential generator for 64 bits.
 class SampleRandom {
@@ -39,14 +39,15 @@ inline TriangleMesh tetrahedron(std::uint64_t seed, double flatness) {
   Eigen::Matrix3d edges;
   for (int i = 0; i < 3; ++i) edges.col(i) = mesh.vertices[1U + static_cast<unsigned>(i)];
   edges.colwise() -= mesh.vertices[0];
-  // Outside is where the first triangle, seen counter-clockwise, does not show the fourth corner.
+  // Seen from outside, the first triangle is counter-clockwise and the fourth corner is behind it.
   if (edges.col(0).cross(edges.col(1)).dot(edges.col(2)) > 0) {
     for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   }
   return mesh;
 }
 
-/// A cube's surface as a grid of n x n squares a side, each point mapped by its place in the grid.
+/// Returns a cube's surface as a grid of n x n squares per side. `point` maps a place in the grid
+/// to a vertex.
 inline TriangleMesh cube_grid(
     std::uint32_t n,
     const std::function<Eigen::Vector3d(const std::array<std::uint32_t, 3>&)>& point) {
@@ -76,7 +77,7 @@ inline TriangleMesh cube_grid(
   return mesh;
 }
 
-/// Each point of the cube from -1 to 1 is moved along its own radius.
+/// Returns the cube from -1 to 1 with each point moved along its radius.
 inline TriangleMesh lumpy_cube(std::uint32_t n) {
   return cube_grid(n, [n](const std::array<std::uint32_t, 3>& place) {
     const auto [i, j, k] = place;
@@ -86,7 +87,7 @@ inline TriangleMesh lumpy_cube(std::uint32_t n) {
   });
 }
 
-/// A body with a cavity of its own form, so that all but a layer is taken away again.
+/// Returns a body with a cavity of the same shape, so that only a thin layer remains.
 inline TriangleMesh hollow(TriangleMesh mesh, double thinness) {
   const std::size_t points = mesh.vertices.size(), faces = mesh.triangles.size();
   for (std::size_t i = 0; i < points; ++i) {

@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// The integral of (1, x^2, y^2, z^2) over the shape, by the midpoint rule on a grid.
+/// Returns the integral of (1, x^2, y^2, z^2) over the shape, by the midpoint rule on a grid.
 Eigen::Vector4d integrate(const Vector3d& half, auto&& inside) {
   constexpr int n = 120;
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
@@ -61,10 +61,10 @@ TEST(Shape, EllipsoidIntegrals) {
                    }));
 }
 
-/// The radii between which a solid of revolution lies at a height.
+/// The inner and outer radii of a solid of revolution at a height.
 using Profile = std::function<std::pair<double, double>(double z)>;
 
-/// Expects the integrals of the solid of revolution between two heights, by the midpoint rule over
+/// Expects the integrals of a solid of revolution between two heights, by the midpoint rule over
 /// discs.
 void expect_profile(const Shape& shape, double bottom, double top, const Profile& profile) {
   constexpr int n = 200'000;

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 using testing::HasSubstr;
 
-/// What exact arithmetic gives, rounded to double.
+/// Results of exact arithmetic, rounded to double.
 struct Exact {
   const char* name;
   std::size_t triangles;
@@ -61,7 +61,7 @@ TEST(SolidIntegrals, AreThoseOfExactArithmetic) {
                           I(0, 2),
                           I(0, 1)};
     for (std::size_t i = 0; i < ours.size(); ++i) {
-      // One unit in the last place: the reference is rounded, too.
+      // One unit in the last place, because the reference is also rounded.
       EXPECT_NEAR(ours[i], values[i], 2.3e-16 * std::abs(values[i])) << name << ", number " << i;
     }
   }
@@ -83,7 +83,7 @@ TEST(SolidIntegrals, IgnoreVerticesOfNoTriangle) {
   EXPECT_EQ(solid_integrals(mesh).inertia, before.inertia);
 }
 
-/// What a mesh is refused for.
+/// Returns the error with which a mesh is rejected.
 std::string refused_mesh(const TriangleMesh& mesh) {
   try {
     solid_integrals(mesh);
@@ -114,7 +114,7 @@ TEST(SolidIntegrals, OfWhatIsNoSolidAreRefused) {
   EXPECT_THAT(refused_mesh(mesh), HasSubstr("beyond what double precision holds"));
 }
 
-/// The cube from -1 to 1.
+/// Returns the cube from -1 to 1.
 TriangleMesh plain_cube(std::uint32_t n) {
   return cube_grid(n, [n](const std::array<std::uint32_t, 3>& place) {
     return Vector3d(2.0 * place[0] / n - 1, 2.0 * place[1] / n - 1, 2.0 * place[2] / n - 1);
@@ -125,8 +125,8 @@ TEST(ShellIntegrals, OfACubesFaces) {
   const SolidIntegrals wall = shell_integrals(plain_cube(3), 0.1);
   EXPECT_NEAR(wall.volume, 2.4, 1e-15);
   EXPECT_LE(wall.centroid.norm(), 1e-16);
-  // Each face has a sixth of the mass; about an axis through two of them, those have 2/3 each and
-  // the others 4/3.
+  // Each face has a sixth of the mass. Per mass, the moment about an axis through two faces is 2/3
+  // for each of those and 4/3 for each of the others.
   const double moment = 2.4 / 6 * (2 * 2.0 / 3 + 4 * (1 + 1.0 / 3));
   EXPECT_LE((wall.inertia - moment * Matrix3d::Identity()).norm(), 1e-14);
 }
@@ -152,7 +152,7 @@ TEST(ShellIntegrals, AreTheDifferenceOfTwoSolids) {
   const SolidIntegrals inner = solid_integrals(ball(1 - thickness / 2)),
                        outer = solid_integrals(ball(1 + thickness / 2)),
                        wall = shell_integrals(ball(1), thickness);
-  // Facets lie within the sphere, so that the layer between two of them is thinner.
+  // Facets lie within the sphere, so the layer between two of them is thinner.
   EXPECT_NEAR(wall.volume, outer.volume - inner.volume, 0.02 * wall.volume);
   EXPECT_LE((wall.inertia - (outer.inertia - inner.inertia)).norm(), 0.02 * wall.inertia.norm());
 }
@@ -168,7 +168,7 @@ TEST(ShellIntegrals, OfNoWallAreRefused) {
 
 TEST(SurfaceArea, OfACube) { EXPECT_DOUBLE_EQ(surface_area(plain_cube(5)), 24); }
 
-/// A mesh of about n facets along its circumference, whose vertices lie on the shape.
+/// Returns a mesh with about n facets along its circumference, whose vertices lie on the shape.
 TriangleMesh faceted(const Shape& shape, std::uint32_t n) {
   if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape)) {
     return cube_grid(n / 4, [&](const std::array<std::uint32_t, 3>& place) -> Vector3d {
@@ -194,7 +194,7 @@ TriangleMesh faceted(const Shape& shape, std::uint32_t n) {
   return mesh;
 }
 
-/// The greatest relative error of mass and moments of the faceted shape.
+/// Returns the greatest relative error of the mass and moments of the faceted shape.
 double facet_error(const Shape& shape, std::uint32_t n) {
   const Matrix3d R = so3::exp(Vector3d(0.3, -1, 0.2));
   const std::array whole{Part{shape, 2, {3, -4, 5}, R}},

@@ -86,8 +86,8 @@ TEST(Canvas, DrawsEachGlyphWithItsFont) {
   Canvas canvas(one_by_one, 0, 0);
   canvas.text(typeset(typeface.regular, "S"), 20, {5, 30}, {ink});
   canvas.text(typeset(font, "k"), 20, {5 + 20 * line.glyphs.back().x, 30}, {ink});
-  // Cairo rounds the edges of two letters at once a little differently, and releases of it differ.
-  // A letter of another font or in another place changes whole pixels.
+  // If two letters are drawn at once, Cairo rounds their edges a little differently, and so do its
+  // releases. A letter of another font or in another place changes whole pixels.
   const auto near = [](int a, int b) { return std::abs(a - b) <= 32; };
   EXPECT_TRUE(std::ranges::equal(picture_of(line, 5, 30).pixels, one_by_one.pixels, near));
 }

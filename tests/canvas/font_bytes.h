@@ -19,12 +19,12 @@ inline std::vector<std::uint8_t> sans_file() {
   return system::read_file(TWRENCH_SANS_FILE, 1 << 24);
 }
 
-/// That of a typeface which has Latin, Greek, Arabic, Hebrew, Devanagari and more.
+/// The file of a typeface with Latin, Greek, Arabic, Hebrew, Devanagari and more.
 inline std::vector<std::uint8_t> many_scripts_file() {
   return system::read_file(TWRENCH_MANY_SCRIPTS_FILE, 1 << 24);
 }
 
-/// The same with none but these characters.
+/// The same with these characters only.
 inline std::vector<std::uint8_t> many_scripts_file(std::u32string_view characters) {
   const std::vector<std::uint8_t> file = many_scripts_file();
   const std::unique_ptr<hb_blob_t, decltype(&hb_blob_destroy)> blob(
@@ -46,7 +46,7 @@ inline std::vector<std::uint8_t> many_scripts_file(std::u32string_view character
   return {data, data + size};
 }
 
-/// Where the table's bytes are in the file.
+/// The bytes of a table in the file.
 inline std::span<std::uint8_t> table(std::vector<std::uint8_t>& file, const std::string& tag) {
   const auto number = [&](std::size_t at) {
     std::size_t value = 0;

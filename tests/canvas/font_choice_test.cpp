@@ -8,8 +8,8 @@
 namespace twrench::canvas {
 namespace {
 
-/// For each character of the text `f` where it is set in a font of `own` characters, `s` where the
-/// sans stands in.
+/// For each character of the text, `f` if it is set in a font with the characters `own`, and `s` if
+/// it is set in the fallback, the sans.
 std::string fonts(std::u32string_view own, std::string_view utf8) {
   const Typeface sans = load_typeface("sans");
   const Font font = Font(many_scripts_file(own), "F").with_fallback(sans.regular);

@@ -83,7 +83,7 @@ TEST(Font, RefusesAFontThatLacksATable) {
   for (std::size_t at = 12; at < 12U + 16U * file[5]; at += 16) {
     if (std::string(&file[at], &file[at + 4]) == "cmap") file[at] = 'x';
   }
-  EXPECT_EQ(refusal(file), "F: is a font without outlines or without a map from characters");
+  EXPECT_EQ(refusal(file), "F: is a font without outlines or without a character map");
 }
 
 TEST(Font, RefusesDamagedOutlines) {
@@ -92,7 +92,7 @@ TEST(Font, RefusesDamagedOutlines) {
   EXPECT_EQ(refusal(file), "F: is a damaged font: its character U+00D7 cannot be read");
 }
 
-/// Draws with the font, if it is one. Returns whether it is.
+/// Draws with the font if the file is one, and returns whether it is.
 bool draw_with(std::vector<std::uint8_t> file) {
   try {
     const Font font(std::move(file), "F");

@@ -53,8 +53,8 @@ TEST(StyledText, IsShortenedByAnEllipsis) {
   EXPECT_EQ(text.styles, styled("a…").styles);
 }
 
-/// The text in the order of its runs, those from right to left in brackets. A Hebrew letter is
-/// shown by an English one: alef, bet and gimel by A, B and C.
+/// The text in the order of its runs, with runs from right to left in brackets. A, B and C
+/// represent the Hebrew letters alef, bet and gimel.
 std::string shown(std::u32string_view text) {
   const StyledText all{{text.begin(), text.end()},
                        std::vector<CharacterStyle>(text.size(), CharacterStyle::plain)};

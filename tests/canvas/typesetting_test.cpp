@@ -10,7 +10,7 @@
 namespace twrench::canvas {
 namespace {
 
-/// Where the glyph begins and ends, in em from the pen.
+/// The left and the right end of the glyph, in em from the pen.
 std::pair<double, double> ink_of(const Font& font, unsigned glyph) {
   hb_glyph_extents_t extents{};
   hb_font_get_glyph_extents(font.shaper(), glyph, &extents);
@@ -125,7 +125,7 @@ TEST_P(Typesetting, SetsAMarkOverItsLetter) {
 
 INSTANTIATE_TEST_SUITE_P(Fonts, Typesetting, testing::Values("sans", "mono"));
 
-// Those of the built-in fonts are as wide by themselves.
+// The digits of the built-in fonts have equal widths already.
 TEST(Digits, TakeTheWidestOnesRoomWhereTheirOwnDiffers) {
   std::vector<std::uint8_t> file = sans_file();
   const unsigned one = Font(file, "F").glyph(U'1');
@@ -148,12 +148,12 @@ TEST(Kerning, DrawsPairsTogether) {
   EXPECT_NEAR(typeset(font, "HH").width, 2 * font.advance(font.glyph(U'H')), 1e-12);
 }
 
-/// With a font that has them all.
+/// With a font that has all these scripts.
 class Scripts : public testing::Test {
  protected:
   const Font font{many_scripts_file(), "F"};
 
-  /// From left to right.
+  /// The glyphs from left to right.
   std::vector<unsigned> glyphs(std::string_view text) const {
     std::vector<unsigned> glyphs;
     for (const Line::Placed& placed : typeset(font, text).glyphs) glyphs.push_back(placed.glyph);
@@ -194,7 +194,7 @@ TEST_F(Scripts, AShortenedLineFromRightToLeftEndsOnTheLeft) {
   EXPECT_EQ(line.glyphs.front().glyph, font.glyph(U'…'));
 }
 
-/// A font of some characters with the sans behind it.
+/// A font of some characters, with the sans as its fallback.
 class Fallback : public testing::Test {
  protected:
   const Typeface typeface = load_typeface("sans");

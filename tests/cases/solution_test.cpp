@@ -1,5 +1,5 @@
-// The exact values of the cases against an independent series of 40 digits, and the published
-// values against both.
+// Compares the exact values of the cases with an independent series of 40 digits, and the published
+// values with both.
 #include "cases/solution.h"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ const json& reference() {
   return document;
 }
 
-/// The samples of a case; null where there are none.
+/// The samples of a case; null if there are none.
 json samples_of(const std::string& name) {
   for (const json& entry : reference()) {
     if (entry["name"] == name) return entry["samples"];
@@ -47,7 +47,7 @@ State reference_state(const json& sample) {
           motion::digits(sample["energy"]), motion::vector_of(sample["momentum"])};
 }
 
-/// How many times a change of the initial rates has grown by the time t, at most.
+/// The largest factor by which a change of the initial rates has grown by time t.
 double growth(const Case& problem, double t) {
   const double change = 1e-7 * problem.omega.norm();
   double most = 1;
@@ -88,7 +88,7 @@ TEST_P(EachCase, HasTheExactMotionOfTheReference) {
   }
 }
 
-/// The state at the time of a published value, of the reference and not of the program.
+/// The state at the time of a published value, from the reference rather than from the program.
 State state_at(const json& samples, double t) {
   for (const json& sample : samples) {
     if (motion::digits(sample["t"]) == t) return reference_state(sample);

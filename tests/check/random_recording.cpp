@@ -24,7 +24,7 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// A third kind of number: the shortest decimals of a float, as NumPy prints them.
+/// How numbers are written; `floats` are the shortest decimals of a float, as NumPy prints them.
 enum class Numbers { doubles, nine_digits, floats };
 
 std::string written(double value, Numbers numbers) {
@@ -50,13 +50,13 @@ Vector3d moments_of(RecordedBody body, SceneDice& dice) {
     case RecordedBody::any:
       break;
   }
-  // Of a box, so that it is a real body.
+  // The moments of a box, so that the body is possible.
   const double a = dice.spread(0.2, 5), b = dice.spread(0.2, 5), c = dice.spread(0.2, 5);
   const double size = dice.spread(1e-10, 1e10);
   return size * Vector3d(b * b + c * c, a * a + c * c, a * a + b * b);
 }
 
-/// None of whose components is so small that the motion is almost steady.
+/// No component is so small that the motion is almost steady.
 Vector3d random_omega(SceneDice& dice, double speed) {
   Vector3d omega;
   for (double& component : omega) component = (dice.chance(0.5) ? 1 : -1) * dice.uniform(0.25, 1);
@@ -67,7 +67,7 @@ Quaterniond random_rotation(SceneDice& dice) {
   return Quaterniond(Eigen::AngleAxisd(dice.uniform(0.3, 3), dice.vector(-1, 1).normalized()));
 }
 
-/// What is common to all recordings of a body.
+/// The common part of all recordings of a body.
 struct Motion {
   Vector3d moments, omega;
   std::size_t rows;
@@ -80,7 +80,7 @@ Motion random_motion(RecordedBody body, SceneDice& dice) {
                        : body == RecordedBody::any    ? dice.spread(1e-6, 1e6)
                                                       : dice.spread(0.3, 30);
   const Vector3d omega = random_omega(dice, speed);
-  // From a dozen to hundreds of rad.
+  // The motion covers a dozen to hundreds of rad.
   const auto rows = static_cast<std::size_t>(dice.whole(300, 900));
   return {moments, omega, rows, dice.spread(0.04, 0.4) / omega.norm()};
 }
@@ -114,7 +114,7 @@ std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates)
   return columns;
 }
 
-/// The angles of X about the axes of a sequence, in the places that the columns have.
+/// The angles of X about the axes of a sequence, in the order of the columns.
 Vector3d euler_angles(const Matrix3d& X, const std::string& sequence) {
   const Axes axes = axes_of(sequence);
   const Vector3d angles = X.eulerAngles(axes[0], axes[1], axes[2]);
@@ -147,7 +147,7 @@ std::vector<double> attitude_numbers(const Matrix3d& X, const Convention& right)
   return {};
 }
 
-/// The names in the file, in its order: those that `right` gives to our names in theirs.
+/// The names of the columns in the file, in its order.
 std::vector<std::string> header_of(const Convention& right) {
   std::vector<std::string> header;
   for (const std::string& ours : names_in(attitude_form(right), has_rates(right))) {
@@ -156,7 +156,7 @@ std::vector<std::string> header_of(const Convention& right) {
   return header;
 }
 
-/// Writes the motion in a convention: the inverse of what RowDecoder does, derived anew.
+/// Writes the motion in a convention: the inverse of RowDecoder, derived independently.
 std::string text_of(const Motion& motion, const Convention& right, Numbers numbers, double noise,
                     SceneDice& dice) {
   const motion::ExactMotion exact({motion.moments.asDiagonal(), motion.omega});
@@ -174,7 +174,7 @@ std::string text_of(const Motion& motion, const Convention& right, Numbers numbe
     text += fmt::format("{:.17g}", t / name_of(time_unit(right)).in_s);
     const double size = noise * motion.omega.norm();
     for (int k = 0; k < 3 && rates; ++k) {
-      // The sum of twelve is nearly normal.
+      // The sum of twelve uniform numbers is nearly normal.
       double error = -6;
       for (int n = 0; n < 12 && noise > 0; ++n) error += dice.uniform(0, 1);
       const double rate = w[k] + (noise > 0 ? size * error : 0);
@@ -199,7 +199,7 @@ RandomRecording recording_of(const Motion& motion, const Convention& told, const
           {}};
 }
 
-/// The columns of the quaternion (w, x, y, z) moved on by one place.
+/// Shifts the columns of the quaternion (w, x, y, z) by one place.
 void move_scalar(Convention& convention) {
   auto& columns = convention.columns;
   const std::string w = columns["qw"];
@@ -276,7 +276,7 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   const Numbers numbers =
       dice.pick(std::vector{Numbers::doubles, Numbers::nine_digits, Numbers::floats});
   RandomRecording recording = recording_of(motion, told, right, numbers, 0, dice);
-  // Attitudes alone do not tell it.
+  // Attitudes alone do not determine it.
   if (!rates || dice.chance(0.3)) recording.problem.omega = motion.omega;
   recording.description = description_of(right);
   return recording;

@@ -11,10 +11,10 @@
 
 namespace twrench::check {
 
-/// A file with an exact motion, and how it is told to be read.
+/// A file with an exact motion, and the convention in which it is read.
 struct RandomRecording {
   std::string text;        ///< CSV
-  Convention told, right;  ///< how it is read at first, and how it was written
+  Convention told, right;  ///< in which it is read at first, and was written
   Problem problem;
   std::string description;
 };
@@ -29,12 +29,12 @@ const std::vector<std::string>& single_mistakes();
 RandomRecording recording_with(std::string_view mistake, RecordedBody body, std::uint32_t seed,
                                std::uint32_t number);
 
-/// A motion of any body in a random convention, told to be in another.
+/// A motion of any body in a random convention, read in another.
 RandomRecording random_recording(std::uint32_t seed, std::uint32_t number);
 
-/// What is wrong with the verdict on the recording, which is written into the folder; empty if it
-/// is right: the file follows the motion as it is read, or in all readings that are proposed, of
-/// which there are at most two.
+/// Writes the recording into the folder, checks it, and returns the fault of the verdict, or an
+/// empty text if the verdict is right: the file follows the motion as it is read, or in all
+/// proposed readings, and there are at most two of these.
 std::string fault_of_verdict(const RandomRecording& recording, const std::filesystem::path& folder);
 
 }  // namespace twrench::check

@@ -18,10 +18,10 @@
 
 namespace twrench::check {
 
-/// What files of tests hold.
+/// The quantities in a file.
 enum class Parts { rates, attitude, both };
 
-/// A body that tumbles, none of whose motions is special.
+/// A tumbling body whose motion is not a special case.
 inline const Eigen::Vector3d moments(2, 3, 4);
 inline const Eigen::Matrix3d inertia = moments.asDiagonal();
 inline const Eigen::Vector3d omega(0.4, 1.5, 0.3);
@@ -30,8 +30,8 @@ inline motion::FreeBody tumbling_body() { return {inertia, omega}; }
 
 inline Problem tumbling_problem() { return {.inertia = inertia}; }
 
-/// Rows at `count` times from `start` on, every `step` s, of what `sample(t)` returns for the time
-/// since `start`.
+/// Rows at `count` times from `start` on, every `step` s. `sample(t)` returns the motion at the
+/// time t since `start`.
 template <typename Motion>
 std::vector<Row> rows_of(const Motion& sample, std::size_t count, double step, double start = 0) {
   std::vector<Row> rows;
@@ -49,7 +49,8 @@ inline std::vector<Row> exact_rows(std::size_t count = 401, double step = 0.1, d
   return rows_of([&](double t) { return exact.at(t); }, count, step, start);
 }
 
-/// The rows as a CSV file with our own names for the columns and all digits, or so many decimals.
+/// The rows as a CSV file with our own names for the columns, with all digits or this number of
+/// decimals.
 inline std::string csv_of(const std::vector<Row>& rows, Parts parts, int decimals = -1) {
   const auto number = [decimals](double value) {
     return decimals < 0 ? fmt::format(",{:.17g}", value) : fmt::format(",{:.{}f}", value, decimals);

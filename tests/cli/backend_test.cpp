@@ -1,5 +1,5 @@
 // Machines without one of the OpenGL backends, tested with the real program: the loader finds an
-// empty file in place of the library and cannot load it.
+// empty file instead of the library and cannot load it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// User errors: each is one line that names the mistake, with the right exit code, and nothing is
-// written.
+// User errors: each prints one line that names the mistake, has the right exit code, and writes no
+// file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,6 +57,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"cases gazebo-box more", 2, "cases: unexpected argument 'more'"},
         Mistake{"cases --format xml", 2, "--format: unknown name 'xml'"},
         Mistake{"cases -o missing/a.txt", 5, "missing/a.txt"},
+        Mistake{"schema more", 2, "schema: unexpected argument 'more'"},
+        Mistake{"schema --format json", 2, "schema: unknown option '--format'"},
+        Mistake{"schema -o missing/a.json", 5, "missing/a.json"},
+        Mistake{"schema -o folder.toml", 5, "folder.toml"},
+        Mistake{"schema -o ''", 2, "--output: its value is empty"},
+        Mistake{"schema -o a -o b", 2, "--output: it can be given only once"},
+        Mistake{"schema --help-all", 2, "schema: unknown option '--help-all'"},
         Mistake{"render --sise=640x360", 2, "did you mean '--size'? see twrench render --help"},
         Mistake{"render --method", 2, "--method: its value NAME is missing"},
         Mistake{"render --fps 1 --fps 2", 2,
@@ -142,7 +149,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"report --static -o a.html --method rk4 --step 1e-7", 2, "take a longer --step"},
         Mistake{"report --static -o a.html --method rk4 --step 1e3", 2, "take a shorter --step"},
         Mistake{"report --static -o a.html --duration 1e5 --tolerance 1e-14", 2,
-                "take a larger --tolerance, a shorter --duration or --method exact"},
+                "take a larger --tolerance or a shorter --duration, or --method exact for a rigid "
+                "body"},
         Mistake{"render explain --method rk4 --step 1e-9", 2, "take a longer --step"},
         Mistake{"render --duration 1e-6", 2, "0 frames"}, Mistake{"render --frames 5-3", 2, "5-3"},
         Mistake{"render --frames 0-960", 2, "960"}, Mistake{"render --frames x", 2, "'x'"},
@@ -170,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "give a shorter --duration"},
         Mistake{"render --backend osmesa --egl-device 0", 2, "--egl-device: OSMesa has none"},
         Mistake{"simulate --method rkmk4 --step 6 --omega 1,1,1 --times 9", 2, "--step"},
-        Mistake{"simulate --method implicit-trapezoid --step 4 --times 9", 2, "too far"},
+        Mistake{"simulate --method implicit-trapezoid --step 4 --times 9", 2, "too long"},
         Mistake{"simulate --tolerance 1e-16", 2, "(the limit of double precision)"},
         Mistake{"simulate --inertia 1,nan,2", 2, "--inertia: is nan"},
         Mistake{"plot", 2, "--output"},

@@ -15,11 +15,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-/// 160 frames of 16 s, in which the body turns over four times: at 11.8, 35.4, 59.1 and 82.7 s of
-/// motion, six times as fast in the film.
+/// 160 frames in 16 s. The body turns over at 11.8, 35.4, 59.1 and 82.7 s of motion, which the film
+/// shows six times as fast.
 const std::string small = "render --size 64x36 --fps 10 --show hud --progress none ";
 
-/// What ffprobe says of the chapters: start, end and title of each.
+/// The chapters according to ffprobe: start, end and title of each.
 std::string chapters_in(const ScratchFolder& folder, const std::string& video) {
   const std::string out = (folder / (video + ".chapters")).string();
   run_command(
@@ -29,7 +29,7 @@ std::string chapters_in(const ScratchFolder& folder, const std::string& video) {
   return text_of(out);
 }
 
-/// What ffprobe says of the size and the number of frames.
+/// The size and the number of frames according to ffprobe.
 std::string stream_in(const ScratchFolder& folder, const std::string& video) {
   const std::string out = (folder / (video + ".stream")).string();
   run_command(
@@ -108,7 +108,7 @@ length = 1
 start = 2
 )";
 
-// A manifest of shards has what encode needs for the same chapters and captions.
+// From a manifest of shards, encode makes the same chapters and captions.
 TEST(Chapters, OfFramesAreThoseOfTheFilm) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "story.toml", story);

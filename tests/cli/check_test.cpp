@@ -25,7 +25,7 @@ const std::string brick_rates =
 const std::string from_10_20_30 =
     " --omega 0.17453292519943295,0.3490658503988659,0.5235987755982988 ";
 
-/// Files that `simulate` writes into a folder of its own.
+/// Files that `simulate` writes into a separate folder.
 class CheckCommand : public testing::Test {
  protected:
   /// Runs `simulate` for the body of `body` into the file.
@@ -62,7 +62,7 @@ TEST_F(CheckCommand, TakesASceneFromAPipe) {
                 "printf '[body]\\nmoments = [2, 3, 4]\\n' | "
                 "\"$TWRENCH\" check a.csv --scene /dev/stdin --plot p.svg -o report.txt");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(text_of(folder_ / "report.txt"), HasSubstr("cannot be faulted"));
+  EXPECT_THAT(text_of(folder_ / "report.txt"), HasSubstr("has no detectable error"));
 }
 
 TEST_F(CheckCommand, RefusesRatesWhoseSquaresUnderflow) {
@@ -90,7 +90,7 @@ TEST_F(CheckCommand, FaultsMatricesThatAreNoRotations) {
   }
   system::write_file_atomically(folder_ / "scaled.csv", scaled);
   EXPECT_THAT(judged("a.csv " + body)["verdict"].get<std::string>(),
-              StartsWith("cannot be faulted"));
+              StartsWith("has no detectable error"));
   EXPECT_THAT(judged("scaled.csv " + body)["verdict"].get<std::string>(),
               AllOf(StartsWith("its matrices are not rotations: X^T X differs from the identity by "
                                "up to 13.9; apart from that, it is off by at most"),
@@ -105,12 +105,12 @@ TEST_F(CheckCommand, HasARemedyForABodyAtRestThatHelps) {
   EXPECT_THAT(fitted.err, HasSubstr("replace --fit by --omega 0,0,0"));
   EXPECT_THAT(check("rest.csv --omega 0,0,0 " + body).out, HasSubstr("at rest, and stays so"));
   EXPECT_THAT(check("one.csv --fit " + body).err,
-              AllOf(HasSubstr("one row alone"), HasSubstr("judge a file of several rows")));
+              AllOf(HasSubstr("only one row"), HasSubstr("judge a file of several rows")));
 }
 
 TEST_F(CheckCommand, AdvisesNoStepsThatWereGiven) {
   simulate("a.csv", "--duration 2");
-  EXPECT_THAT(check("a.csv a.csv " + body).out, HasSubstr("--steps tells their step sizes"));
+  EXPECT_THAT(check("a.csv a.csv " + body).out, HasSubstr("give their step sizes with --steps"));
   EXPECT_THAT(check("a.csv a.csv --steps 0.1,0.1 " + body).out,
               HasSubstr("order: the step sizes that --steps gives are the same"));
 }
@@ -121,7 +121,7 @@ TEST_F(CheckCommand, CannotFaultTheSimulatorThatIsRight) {
   EXPECT_EQ(found["rates"]["unit"], "deg/s");
   EXPECT_NEAR(found["rates"]["max_error"].get<double>(), 3.59e-10, 0.01e-10);
   EXPECT_TRUE(found["conditioning"]["within_digits"]);
-  EXPECT_THAT(found["verdict"].get<std::string>(), StartsWith("cannot be faulted"));
+  EXPECT_THAT(found["verdict"].get<std::string>(), StartsWith("has no detectable error"));
   EXPECT_TRUE(found["attitude"].is_null());
   EXPECT_TRUE(found["orthogonality_error"].is_null());
   EXPECT_FALSE(found["flips"].empty());
@@ -141,17 +141,17 @@ TEST_F(CheckCommand, TakesTheBodyAndTheRatesOfAPublishedCase) {
   const std::string file = nasa_folder + "01.csv" + brick_rates;
   const json by_case = judged(file + "--case nasa-tumbling-brick");
   EXPECT_EQ(by_case, judged(file + brick + from_10_20_30));
-  EXPECT_THAT(by_case["verdict"].get<std::string>(), StartsWith("cannot be faulted"));
+  EXPECT_THAT(by_case["verdict"].get<std::string>(), StartsWith("has no detectable error"));
   ASSERT_EQ(run_twrench(folder_, "cases gazebo-box --format csv -o box.csv").code, 0);
   EXPECT_THAT(judged("box.csv --case gazebo-box")["verdict"].get<std::string>(),
-              StartsWith("cannot be faulted"));
+              StartsWith("has no detectable error"));
 }
 
 // The rates are those of the case and not of the first row, which may be another state.
 TEST_F(CheckCommand, FaultsAFileThatDoesNotStartAsThePublishedCase) {
   simulate("a.csv", "--duration 5 --method exact");
   EXPECT_THAT(judged("a.csv --case basilisk-spacecraft")["verdict"].get<std::string>(),
-              Not(StartsWith("cannot be faulted")));
+              Not(StartsWith("has no detectable error")));
 }
 
 TEST_F(CheckCommand, RefusesACaseBesideAnotherBodyOrAnUnknownOne) {
@@ -177,7 +177,7 @@ TEST_F(CheckCommand, SeesThatTheAttitudeIsAgainstTheEarth) {
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("attitude and rates are inconsistent"), HasSubstr("the Earth's rate"),
-                    HasSubstr("the rates cannot be faulted")));
+                    HasSubstr("the rates have no detectable error")));
 }
 
 TEST_F(CheckCommand, ProposesTheSequenceThatFits) {
@@ -199,7 +199,7 @@ TEST_F(CheckCommand, HasTheKeysOfTheContract) {
   }
   EXPECT_EQ(found["rows"], 401);
   EXPECT_EQ(found["attitude"]["unit"], "deg");
-  EXPECT_THAT(found["verdict"].get<std::string>(), StartsWith("cannot be faulted"));
+  EXPECT_THAT(found["verdict"].get<std::string>(), StartsWith("has no detectable error"));
   for (const json& flip : found["flips"]) {
     EXPECT_NEAR(flip["t"].get<double>(), flip["exact"].get<double>(), 1e-9);
   }
@@ -219,7 +219,7 @@ TEST_F(CheckCommand, SeesTheOrderOfAMethod) {
     EXPECT_NEAR(found["order"]["rates"].get<double>(), order, 0.2) << method;
     EXPECT_NEAR(found["order"]["attitude"].get<double>(), order, 0.2) << method;
     // The rows are equally far apart in all files.
-    EXPECT_THAT(check(files + body).out, HasSubstr("--steps tells their step sizes"));
+    EXPECT_THAT(check(files + body).out, HasSubstr("give their step sizes with --steps"));
   }
 }
 
@@ -343,7 +343,7 @@ TEST_F(CheckCommand, FitsAnInitialState) {
 TEST_F(CheckCommand, TakesTheBodyOfAScene) {
   ASSERT_EQ(run_twrench(folder_, "simulate dzhanibekov --duration 30 --method exact -o s.csv").code,
             0);
-  EXPECT_THAT(check("s.csv --scene dzhanibekov").out, HasSubstr("cannot be faulted"));
+  EXPECT_THAT(check("s.csv --scene dzhanibekov").out, HasSubstr("has no detectable error"));
   EXPECT_EQ(check("s.csv --scene dzhanibekov --inertia 1,2,3").code, 2);
 }
 
@@ -355,7 +355,8 @@ TEST_F(CheckCommand, SeesThatAFileBeginsOtherwise) {
                       HasSubstr("--fit finds 0.4,1.5,0.3 rad/s at 0 s")))
         << told;
   }
-  EXPECT_THAT(check("exact.csv --omega 0.4,1.5,0.3 " + body).out, HasSubstr("cannot be faulted"));
+  EXPECT_THAT(check("exact.csv --omega 0.4,1.5,0.3 " + body).out,
+              HasSubstr("has no detectable error"));
   EXPECT_THAT(
       check("exact.csv --inertia 2,3.3,4").out,
       HasSubstr("follows the motion of another body: the principal moments fit in the ratio "
@@ -373,7 +374,7 @@ TEST_F(CheckCommand, SaysWhatIsMissingOrWrong) {
       {"e.csv --inertia 1,-2,3", "--inertia"},
       {"e.csv --inertia nan,2,3", "--inertia"},
       {"e.csv --inertia 2,3,4 --columns t=time", "time"},
-      {"e.csv --inertia 2,3,4 --columns t=t,qw=x11", "named for qw, but none for qx"},
+      {"e.csv --inertia 2,3,4 --columns t=t,qw=x11", "given for qw, but not for qx"},
       {"e.csv --inertia 2,3,4 --units grad", "--units"},
       {"e.csv --inertia 2,3,4 --time-unit days", "--time-unit"},
       {"e.csv --inertia 2,3,4 --angle-units rpm", "--angle-units"},
@@ -406,7 +407,7 @@ TEST_F(CheckCommand, AttitudesAloneNeedARate) {
   const Outcome run = check("x.csv " + body);
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, HasSubstr("give it with --omega X,Y,Z, or find it with --fit"));
-  EXPECT_THAT(check("x.csv --fit " + body).out, HasSubstr("cannot be faulted"));
+  EXPECT_THAT(check("x.csv --fit " + body).out, HasSubstr("has no detectable error"));
 }
 
 TEST_F(CheckCommand, NamesTheConventionThatFits) {
@@ -458,9 +459,9 @@ TEST_F(CheckCommand, SaysFromWhichRowOnTheUnitIsAnother) {
   simulate("e.csv", "--method exact --duration 10");
   const std::pair<std::string, std::string> cases[] = {
       {"t, *[v * (57.29577951308232 if t > 4.95 else 1) for v in w]",
-       "mixed.csv:52: from this row on the angular momentum is 57.3 times"},
+       "mixed.csv:52: from this row on, the angular momentum is 57.3 times"},
       {"t if t < 4.95 else 1e3 * t, *w",
-       "mixed.csv:52: from this row on the time between rows is 1000 times"}};
+       "mixed.csv:52: from this row on, the time between rows is 1000 times"}};
   for (const auto& [line, part] : cases) {
     ASSERT_EQ(run_shell(folder_, rewritten("t,wx,wy,wz", line) + " < e.csv > mixed.csv").code, 0);
     const Outcome run = check("mixed.csv " + body + "-o report.txt");
@@ -480,17 +481,19 @@ TEST_F(CheckCommand, JudgesWhatHasNoFlipsOrOneRow) {
     const Outcome run = check(fmt::format("n.csv --inertia {}", inertia));
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_THAT(run.out, AllOf(HasSubstr("none: the exact motion is steady"),
-                               HasSubstr("cannot be faulted"), Not(HasSubstr("nan"))));
+                               HasSubstr("has no detectable error"), Not(HasSubstr("nan"))));
   }
   ASSERT_EQ(run_shell(folder_, "head -2 n.csv > one.csv").code, 0);
   const Outcome one = check("one.csv --inertia 2,3,4");
   EXPECT_EQ(one.code, 2);
-  EXPECT_THAT(one.err,
-              HasSubstr("has 1 row, too few to tell a motion\n  judge a file of several rows"));
+  EXPECT_THAT(
+      one.err,
+      HasSubstr("has 1 row, too few to determine a motion\n  judge a file of several rows"));
   // With the state at another time, it tells something.
   ASSERT_EQ(run_shell(folder_, "tail -1 n.csv > rows && (head -1 n.csv; cat rows) > last.csv").code,
             0);
-  EXPECT_THAT(check("last.csv --inertia 2,3,4 --omega 0,0,1").out, HasSubstr("cannot be faulted"));
+  EXPECT_THAT(check("last.csv --inertia 2,3,4 --omega 0,0,1").out,
+              HasSubstr("has no detectable error"));
 }
 
 TEST_F(CheckCommand, SaysWhereDigitsAreTooFewToTell) {
@@ -499,10 +502,10 @@ TEST_F(CheckCommand, SaysWhereDigitsAreTooFewToTell) {
                       "printf '0.2,1,2,3\\n' | cat two.csv - > few.csv")
                 .code,
             0);
-  EXPECT_THAT(check("two.csv " + body).err, HasSubstr("has 2 rows, too few to tell a motion"));
+  EXPECT_THAT(check("two.csv " + body).err, HasSubstr("has 2 rows, too few to determine a motion"));
   EXPECT_EQ(check("two.csv " + body).code, 2);
   EXPECT_THAT(check("few.csv " + body).out,
-              AllOf(HasSubstr("cannot be faulted"), HasSubstr("almost any motion would be")));
+              AllOf(HasSubstr("has no detectable error"), HasSubstr("almost any motion would be")));
 }
 
 TEST_F(CheckCommand, PlotsErrorsAgainstTime) {

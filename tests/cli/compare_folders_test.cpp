@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-/// A gray picture with one red sample of that value.
+/// A gray picture in which one red sample has that value.
 void write_picture(const std::filesystem::path& file, int value, int width = 16) {
   image::Image image(width, 16, 3);
   std::ranges::fill(image.pixels, std::uint8_t{100});
@@ -78,20 +78,20 @@ TEST_F(CompareFolders, AsJson) {
   add("b.png", 100, 100);
   const Outcome run = compare("--format json --metric ssim --ignore 8,8,2x2");
   EXPECT_EQ(run.code, 1);
-  const auto json = nlohmann::json::parse(run.out);
-  EXPECT_EQ(json["verdict"], "different");
-  EXPECT_EQ(json["criteria"]["ignore"], nlohmann::json::parse("[[8, 8, 2, 2]]"));
-  EXPECT_EQ(json["counts"]["different"], 1);
-  EXPECT_EQ(json["counts"]["identical"], 1);
-  EXPECT_EQ(json["frames"][0]["file"], "a.png");
-  EXPECT_EQ(json["frames"][0]["max"], 30);
-  EXPECT_LT(json["frames"][0]["ssim"], 1);
-  EXPECT_EQ(json["frames"][0]["area"], nlohmann::json::parse("[0, 0, 1, 1]"));
-  EXPECT_EQ(json["frames"][1]["outcome"], "identical");
-  EXPECT_EQ(json["frames"][1]["ssim"], 1);
+  const auto found = nlohmann::json::parse(run.out);
+  EXPECT_EQ(found["verdict"], "different");
+  EXPECT_EQ(found["criteria"]["ignore"], nlohmann::json::parse("[[8, 8, 2, 2]]"));
+  EXPECT_EQ(found["counts"]["different"], 1);
+  EXPECT_EQ(found["counts"]["identical"], 1);
+  EXPECT_EQ(found["frames"][0]["file"], "a.png");
+  EXPECT_EQ(found["frames"][0]["max"], 30);
+  EXPECT_LT(found["frames"][0]["ssim"], 1);
+  EXPECT_EQ(found["frames"][0]["area"], nlohmann::json::parse("[0, 0, 1, 1]"));
+  EXPECT_EQ(found["frames"][1]["outcome"], "identical");
+  EXPECT_EQ(found["frames"][1]["ssim"], 1);
 }
 
-// Python's own reader of XML, which refuses whatever is not well-formed.
+// Python's own XML parser rejects a file that is not well-formed.
 TEST_F(CompareFolders, AsJUnitWhateverTheNames) {
   add("a & <b>\" '\x01\xff\xef\xbf\xbf.png", 100, 130);
   add("b.png", 100, 100);
@@ -139,7 +139,7 @@ TEST_F(CompareFolders, RefuseWhatCannotBeCompared) {
       {"golden actual --diff d.png", {2, "--diff: it is for two files"}},
       {"golden actual --report golden/a.png", {2, "is an input"}},
       {"golden actual --report actual/a.png", {2, "is an input"}},
-      {"golden actual --report -", {2, "standard output is for the findings"}},
+      {"golden actual --report -", {2, "standard output is used for the results"}},
       {"golden actual --report missing/r.html", {5, "cannot write missing/r.html"}},
       {"golden actual --ignore 15,0,2x1", {2, "the area 15,0,2x1: it is not within actual/a.png"}},
       {"golden actual --ignore 1,2,3", {2, "--ignore: '1,2,3' is not X,Y,WIDTHxHEIGHT"}},
@@ -219,9 +219,9 @@ TEST_F(CompareFolders, ReportIsOnePageWithPictures) {
   const std::string page = text_of(folder_ / "report.html");
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
   EXPECT_THAT(page,
-              AllOf(HasSubstr("3 of 3 frames are not what was expected"),
-                    HasSubstr("default-src 'none'"), HasSubstr("a&lt;b.png"), Not(HasSubstr("a<b")),
-                    Not(HasSubstr("http:")), Not(HasSubstr("https:"))));
+              AllOf(HasSubstr("3 of 3 frames are not as expected"), HasSubstr("default-src 'none'"),
+                    HasSubstr("a&lt;b.png"), Not(HasSubstr("a<b")), Not(HasSubstr("http:")),
+                    Not(HasSubstr("https:"))));
   const auto count = [&](const std::string& text) {
     int found = 0;
     for (auto at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) ++found;

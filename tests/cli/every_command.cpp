@@ -80,7 +80,7 @@ class EveryCommand {
     expect(!document.is_discarded(), what + ": no JSON");
     return document;
   }
-  /// Two times with the first flip between them.
+  /// Two times, one before and one after the first flip.
   std::pair<double, double> around_first_flip() const {
     const double next = flips_.size() > 1 ? flips_[1] : scene_.motion.duration;
     return {flips_[0] / 2, (flips_[0] + next) / 2};
@@ -122,7 +122,7 @@ void EveryCommand::tables() {
   }
   const json judged = json_of(
       done("check", "motion.csv " + subject_.checked_body, "--format json --no-fail"), "check");
-  // Fast in a flip, the attitude depends on rounding; the rates that were written are exact.
+  // In a fast flip the attitude depends on rounding, but the written rates are exact.
   if (judged.contains("energy_drift")) {
     expect(std::abs(judged["energy_drift"].get<double>()) < 1e-3, "check: the energy drifts");
     expect(judged["flips"].size() >= flips_.size(), "check: flips are missing");

@@ -9,7 +9,7 @@
 
 namespace twrench {
 
-/// The end of a run of the program.
+/// The result of a run of the program.
 struct CommandEnd {
   int code = -1;
   std::string out, err;
@@ -28,7 +28,7 @@ struct CommandSubject {
 /// Runs `twrench ARGUMENTS` in the folder.
 using RunCommand = std::function<CommandEnd(const std::string& arguments)>;
 
-/// Whether the slow outputs are made too: reports, which compare all methods, and a video.
+/// Whether to make the slow outputs too: reports, which compare all methods, and a video.
 enum class Thoroughness { quick, full };
 
 /// Runs every command that takes a scene, with its main output formats and without options for

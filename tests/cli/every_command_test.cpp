@@ -1,5 +1,5 @@
-// Every built-in scene and bodies of any scale with every command. Commands were once made for the
-// T-wrench, whose motion takes a minute and a half.
+// Every command with every built-in scene and with bodies of any scale. Early commands had defaults
+// only for the T-wrench, whose motion takes a minute and a half.
 #include "cli/every_command.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ class BuiltInScene : public testing::TestWithParam<std::string> {};
 TEST_P(BuiltInScene, WorksWithEveryCommand) {
   const ScratchFolder folder;
   const std::string name = GetParam();
-  // One of these takes seconds. The torture test is thorough with each body.
+  // The full outputs take seconds per body. The torture test makes them for each body.
   const bool full = name == "toutatis";
   EXPECT_THAT(faults_of(folder, {scene::load_scene(name), name, name, "--scene " + name},
                         full ? Thoroughness::full : Thoroughness::quick),

@@ -34,7 +34,7 @@ TEST(Export, IsToTheByteWhatSimulateWrites) {
   }
 }
 
-// The bound is against the exact motion, which is what these have.
+// The bound is against the exact motion, which these formats contain.
 TEST(Export, HasTheExactMotionWhateverTheMethod) {
   const ScratchFolder folder;
   for (const std::string name : {"a.glb", "a.aem"}) {

@@ -28,7 +28,7 @@ const std::string fault_film = bare_film + "--progress none --frames-dir f ";
 const std::string fault_frames = fault_film + "--no-video ";
 
 /// A long run, of 5 frames per 3 s of motion, for a fault that a shell causes midway. `nice` gives
-/// the shell precedence, so that the fault comes before the last frame on a busy machine too. The
+/// the shell precedence, so that the fault comes before the last frame even on a busy machine. The
 /// run ends with the fault.
 std::string long_run(int duration) {
   return "nice -n 19 \"$TWRENCH\" render --size 160x90 --fps 10 --speed 6 --duration " +
@@ -73,7 +73,7 @@ const std::string with_bin = "PATH=\"$PWD/bin:$PATH\" ";
 /// Runs the commands in a file system of limited size mounted at d, and copies its final contents
 /// to `after`. If mounting is not permitted, or if root of the namespace may not enter the folder
 /// because it lies in the home of another user, the outcome's code is -1. As root of the namespace,
-/// Mesa would look for its cache in root's home and complain that it may not.
+/// Mesa would look for its cache in root's home and complain that it has no access.
 Outcome run_on_small_disk(const ScratchFolder& folder, const std::string& size,
                           const std::string& commands) {
   const std::string try_mount = "unshare -rm sh -c 'mount -t tmpfs tmpfs /tmp && cd \"$PWD\"'";
@@ -95,7 +95,7 @@ TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
   EXPECT_FALSE(fs::exists(folder / "after/f"));
 }
 
-// The estimate cannot foresee this: another program uses up the space.
+// The estimate cannot foresee this, because another program uses up the space.
 TEST(Faults, ADiskThatFillsUpMidway) {
   const ScratchFolder folder;
   const Outcome run = run_on_small_disk(
@@ -155,10 +155,10 @@ TEST(Faults, AManifestThatCannotBeWritten) {
   const bool none_was_due = std::chrono::steady_clock::now() - start < std::chrono::seconds(5);
   expect_told(run, 5, "manifest.json");  // the frames are smaller
   EXPECT_EQ(count_temporaries(folder / "f"), 0U);
-  // All are there; if drawing was so slow that a manifest was due before the end, as many as fit a
-  // manifest of that size.
+  // All frames exist. If drawing was so slow that a manifest was due before the end, there are only
+  // as many as fit into a manifest of that size.
   EXPECT_TRUE(fs::exists(folder / (none_was_due ? "f/frame_000199.png" : "f/frame_000070.png")));
-  count_whole_frames(folder / "f");  // by the previous manifest
+  count_whole_frames(folder / "f");  // in the previous manifest
 }
 
 TEST(Faults, TheFolderIsRemovedMidway) {
@@ -196,7 +196,7 @@ TEST(Faults, FfmpegThatFailsAtOnceIsMissedBeforeTheFirstFrame) {
   }
 }
 
-// Drivers are found by name; these replace them.
+// The loader finds drivers by name, so these files replace them.
 TEST(Faults, NoUsableOpenGlLibrary) {
   const ScratchFolder folder;
   fs::create_directories(folder / "lib");
@@ -246,8 +246,8 @@ TEST(Faults, ACrashIsOneMessage) {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve all memory
 TEST(Faults, TooLittleMemory) {
   const ScratchFolder folder;
-  // The picture needs several times as much. Data, because each thread reserves much more address
-  // space than it uses, and there are as many threads as processors.
+  // The picture needs several times as much. The limit is on data, because each thread reserves
+  // much more address space than it uses, and there are as many threads as processors.
   const Outcome run = run_shell(
       folder,
       "ulimit -d 1500000; \"$TWRENCH\" render --size 8192x8192 --samples 4 --no-video --frames 0");
@@ -301,8 +301,8 @@ TEST(Faults, NoHomeToWriteTo) {
             0);
 }
 
-// A manifest can only name files in its own folder, and links to other files are not written
-// through.
+// A manifest can only name files in its own folder, and writing does not follow links to other
+// files.
 TEST(Hostile, AManifestLeadsNowhereElse) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, fault_frames + "--frames 0-1").code, 0);

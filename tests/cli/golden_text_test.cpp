@@ -2,8 +2,8 @@
 // tests/golden/text is a transcript: lines that begin with "$ " are commands, which run one after
 // another in an empty folder, and the lines below a command are its output, then its messages, then
 // its exit code unless that is 0. Numbers are compared as numbers, so that the last digits may
-// depend on the compiler. To renew the texts, run TWRENCH_UPDATE_GOLDENS=1 cli_test, read what has
-// changed, and commit it with the reason.
+// depend on the compiler. To renew the texts, run TWRENCH_UPDATE_GOLDENS=1 cli_test, read the
+// difference, and commit it with the reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ bool are_near(const std::string& expected, const std::string& actual) {
   return std::abs(one - other) <= rounding_errors + relative * std::abs(one);
 }
 
-/// A line in which numbers are apart from the text around them.
+/// A line, split into numbers and the text around them.
 struct Line {
   std::vector<std::string> words;  ///< One more than the numbers.
   std::vector<std::string> numbers;
@@ -85,8 +85,8 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-/// Returns whether two lines are equal, except for rounding errors of their numbers and, where the
-/// numbers differ in length, for the spaces beside them.
+/// Returns whether two lines are equal, except for rounding errors in numbers and, if numbers
+/// differ in length, the spaces beside them.
 bool are_alike(const std::string& expected, const std::string& actual) {
   if (expected == actual) return true;
   const Line one = parse(expected), other = parse(actual);

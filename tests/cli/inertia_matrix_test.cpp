@@ -26,7 +26,7 @@ std::string six_numbers(const Matrix3d& I) {
 
 std::string three_numbers(const Vector3d& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
-/// The inertia matrix of a body with these principal moments, turned by R, to the last digit.
+/// The inertia matrix of a body with these principal moments, turned by R; exactly symmetric.
 Matrix3d turned(const Matrix3d& R, const Vector3d& moments) {
   const Matrix3d product = R * moments.asDiagonal() * R.transpose();
   return (product + product.transpose()) / 2;
@@ -118,7 +118,8 @@ TEST_F(InertiaMatrix, ThatNoRealBodyHasIsWarnedOf) {
   const Outcome unreal = run("simulate --times 1 --inertia " + six_numbers(turned(R, {1, 2, 3.1})));
   EXPECT_EQ(unreal.code, 0);
   EXPECT_THAT(unreal.err, HasSubstr("--inertia: moments 1, 2 and 3.1: no real body has them"));
-  // Each of its moments of inertia about x, y and z is less than the sum of the other two.
+  // A real body: each of its moments of inertia about x, y and z is less than the sum of the other
+  // two.
   EXPECT_EQ(run("simulate --times 1 --inertia " + six_numbers(turned(R, {1, 2, 3}))).err, "");
 }
 

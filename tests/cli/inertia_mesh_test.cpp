@@ -90,7 +90,7 @@ TEST_F(InertiaOfAMesh, WarnsOfWhatWasChanged) {
   write("turned.obj", turned);
   const Outcome run = inertia("turned.obj --unit cm");
   EXPECT_EQ(run.code, 0);
-  EXPECT_EQ(run.err, "twrench: warning: turned.obj: it was inside out, and is turned over\n");
+  EXPECT_EQ(run.err, "twrench: warning: turned.obj: it was inside out and has been turned over\n");
 }
 
 TEST_F(InertiaOfAMesh, ThatIsBadIsOneClearLineWithARemedy) {
@@ -130,7 +130,7 @@ TEST_F(InertiaOfAMesh, ThatIsBadIsOneClearLineWithARemedy) {
   }
 }
 
-// As radar gives asteroids: the triangles at a pole do not quite meet.
+// As in radar models of asteroids, the triangles at a pole do not quite meet.
 TEST_F(InertiaOfAMesh, OffersTheWeldingThatClosesIt) {
   write("gap.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 3e-7 1\nv 2e-7 1e-7 1\n"

@@ -42,9 +42,9 @@ TEST(Lists, ScenesSayWhatATiltDoes) {
   EXPECT_THAT(scenes, ContainsRegex("sphere [^\n]*; neutral about x; moments 1 : 1 : 1; "));
 }
 
-// The moments are those that the files of the scenes state, and the intervals those of
-// docs/exact.md for "dzhanibekov", of an independent quadrature for the others; Toutatis turns
-// about its long axis in 5.41 d, that is two flips.
+// The moments are from the files of the scenes. The interval of "dzhanibekov" is from
+// docs/exact.md, the others from an independent quadrature. Toutatis turns about its long axis in
+// 5.41 d, which is two flips.
 TEST(Lists, ScenesSayHowOftenTheyFlip) {
   const ScratchFolder folder;
   const std::string scenes = run_twrench(folder, "scenes").out;
@@ -106,8 +106,9 @@ TEST(Lists, VersionAndHelp) {
   const std::string version = run_twrench(folder, "--version").out;
   EXPECT_TRUE(std::regex_search(version, std::regex("^twrench [0-9]+\\.[0-9]+\\.[0-9]+\n")))
       << version;  // scripts read the first line
-  for (const char* command : {"", "render", "simulate", "export", "plot", "inertia", "study",
-                              "encode", "compare", "doctor", "methods", "scenes", "cases"}) {
+  for (const char* command :
+       {"", "render", "simulate", "export", "plot", "inertia", "study", "encode", "compare",
+        "doctor", "methods", "scenes", "schema", "cases"}) {
     const Outcome run = run_twrench(folder, std::string(command) + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_EQ(run.err, "") << command;
@@ -118,7 +119,7 @@ TEST(Lists, VersionAndHelp) {
   }
 }
 
-// Each licence that it names is one that its two files tell of.
+// LICENSE and THIRD-PARTY.md contain the licences in the output.
 TEST(Lists, VersionNamesTheLicences) {
   const ScratchFolder folder;
   const std::string version = run_twrench(folder, "--version").out;

@@ -1,4 +1,4 @@
-// Bodies that are meshes go through every command as those of parts do.
+// Every command accepts bodies that are meshes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -119,13 +119,13 @@ TEST_F(MeshBody, IsDrawnAnewByResumeAfterItsFileChanged) {
   for (const auto& [file, digest] : digests(folder_ / "f")) {
     EXPECT_NE(digest, before.at(file)) << file;
   }
-  // A comment changes no pixel, but the file.
+  // A comment changes the file, but no pixel.
   const auto redrawn = digests(folder_ / "f");
   write("box.obj", box(40, 22, 10) + "# the end\n");
   EXPECT_EQ(render("--frames 0-5").code, 2);
   ASSERT_EQ(render("--frames 0-5 --resume").code, 0);
   EXPECT_EQ(digests(folder_ / "f"), redrawn);
-  // Another scene with another mesh is another scene.
+  // Changing both the mesh and the motion makes another scene.
   write("box.obj", box(40, 20, 10));
   EXPECT_EQ(render("--frames 0-5 --resume --omega 1,0,0.1").code, 2);
 }
@@ -139,7 +139,7 @@ TEST_F(MeshBody, IsDrawnInShardsAndEncoded) {
   EXPECT_EQ(digests(folder_ / "f"), whole);
   EXPECT_EQ(run("encode f -o v.mp4 --progress none").code, 0);
   EXPECT_TRUE(fs::exists(folder_ / "v.mp4"));
-  // The file of one shard's frames may not change before the other is drawn.
+  // The mesh file must not change between two shards.
   write("box.obj", box(40, 22, 10));
   EXPECT_EQ(render("--frames 0-5 --shard 2/2 --resume").code, 2);
 }
@@ -236,7 +236,7 @@ TEST_F(MeshBody, ThatIsBadIsToldInOneLine) {
   }
 }
 
-// Beside the result, whatever that is written to.
+// The warning appears with the result, wherever that is written.
 TEST_F(MeshBody, ThatWasPutRightIsUsedWithAWarning) {
   std::string torn = box(40, 20, 10);
   torn.replace(torn.find("f 1 3 4 2"), 9, "f 9 3 4 2");
@@ -284,8 +284,10 @@ TEST_F(MeshBody, OfMomentsHasTheShapeThatIsAskedFor) {
   EXPECT_EQ(scene["body"]["shape"], "cross");
   const Outcome refused = render("--shape cross", "parts.toml");
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--shape: the body has parts, which say what it looks like\n"
-                                     "  give its moments by --inertia, or leave --shape out"));
+  EXPECT_THAT(
+      refused.err,
+      HasSubstr("--shape: applies only to a body given by its inertia, and this body has parts\n"
+                "  give its moments by --inertia, or leave --shape out"));
   EXPECT_EQ(render("--shape crosss", "moments.toml").code, 2);
 }
 

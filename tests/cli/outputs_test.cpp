@@ -1,5 +1,5 @@
-// Outputs: none overwrites an input or someone else's file, and errors are reported before anything
-// is created.
+// Outputs: no output overwrites an input or an unrelated file, and errors are reported before any
+// file is created.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -43,7 +43,7 @@ TEST(Outputs, OfOneCommandAreDifferentFiles) {
   EXPECT_EQ(folder.names().size(), before);
 }
 
-// The dynamic loader prints a warning to standard error in every program, ffprobe among them.
+// The dynamic loader prints a warning to standard error in every program, including ffprobe.
 TEST(Outputs, AreKeptWhenChildrenPrintWarnings) {
   const ScratchFolder folder;
   const std::string warning = "LD_PRELOAD=/nonexistent.so ";
@@ -62,7 +62,8 @@ TEST(Outputs, OnStandardOutputAreSummarized) {
   EXPECT_THAT(run.err, HasSubstr("; video on standard output\n"));
 }
 
-// The film is not there when the second run looks: its ffmpeg waits until the first has ended.
+// The film does not exist when the second run checks, and its ffmpeg waits until the first run has
+// ended.
 TEST(Outputs, OfTwoRunsAtOnceAreNotBothDone) {
   const ScratchFolder folder;
   fs::create_directories(folder / "bin");
@@ -84,7 +85,7 @@ TEST(Outputs, OfTwoRunsAtOnceAreNotBothDone) {
                                     "wait; exit $code");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(text_of(folder / "second"), "2\n");
-  EXPECT_THAT(run.err, HasSubstr("it exists and is a video of something else"));
+  EXPECT_THAT(run.err, HasSubstr("it exists and is a different video"));
   EXPECT_EQ(text_of(folder / "new/a.mp4"), text_of(folder / "first.mp4"));
 }
 
@@ -123,11 +124,9 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   EXPECT_EQ(run_twrench(folder, film_command + "-o v.mp4").code, 0)
       << "the same film again loses nothing";
   const std::string before = text_of(folder / "v.mp4");
-  expect_refused(run_twrench(folder, film_command + "stable-y -o v.mp4"), 2,
-                 "a video of something else");
+  expect_refused(run_twrench(folder, film_command + "stable-y -o v.mp4"), 2, "a different video");
   ASSERT_EQ(run_twrench(folder, frames_command + "stable-y").code, 0);
-  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2,
-                 "a video of something else");
+  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2, "a different video");
   EXPECT_EQ(text_of(folder / "v.mp4"), before);
   EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
   EXPECT_NE(text_of(folder / "v.mp4"), before);
@@ -136,8 +135,8 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 
-/// Before a run that a shell stops midway: on a busy machine too, the shell gets the processor
-/// before the run has ended.
+/// Prefix of a run that a shell stops midway, so that the shell gets the processor before the run
+/// ends even on a busy machine.
 const std::string at_low_priority = "nice -n 19 ";
 
 TEST(Outputs, AreOneRunsAtATime) {
@@ -300,8 +299,8 @@ TEST(Hostile, AManifestThatDoesNotEnd) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // they reserve all memory
     const std::string limit;
 #else
-    // Less than the manifest has. Data, because each thread reserves much more address space than
-    // it uses, and there are as many threads as processors.
+    // Less than the size of the manifest. The limit is on data, because each thread reserves much
+    // more address space than it uses, and there are as many threads as processors.
     const std::string limit = "ulimit -d 4000000; ";
 #endif
     const std::string limited = limit + "exec timeout 60 \"$TWRENCH\" ";

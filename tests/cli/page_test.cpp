@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "cli/twrench.h"
 
@@ -17,13 +18,13 @@ using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
-/// A page that only holds a scene: the real one is made by scripts/page.sh and tested in a browser.
+/// A page with only a scene. scripts/page.sh builds the real one, which is tested in a browser.
 void write_template(const ScratchFolder& folder) {
   std::ofstream(folder / "t.html") << "<title>{{title}}</title><h1>{{title}}</h1>\n"
                                       "<!-- twrench:poster -->\n<!-- twrench:scene -->\n";
 }
 
-/// An OBJ file of 4 (n - 1) n triangles: an ellipsoid with waves, of which none could be spared.
+/// An OBJ file of 4 (n - 1) n triangles: an ellipsoid with waves, which cannot be simplified.
 std::string fine_ball(int n) {
   std::string text = "v 0 0 3\nv 0 0 -3\n";
   for (int ring = 1; ring < n; ++ring) {
@@ -68,6 +69,53 @@ TEST(Page, HasTheSceneWithItsOverridesAndWithout) {
   EXPECT_EQ(scene["inertia"].size(), 9U);
   EXPECT_EQ(scene["surface"]["parts"].size(), 2U);
   EXPECT_EQ(scene["themes"].size(), 3U);
+}
+
+TEST(Page, WritesAllBuiltInScenesAndTheirIndex) {
+  const ScratchFolder folder;
+  write_template(folder);
+  const Outcome run = run_twrench(folder, "page --all --theme paper --template t.html -o a/site");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string index = text_of(folder / "a/site/index.html");
+  std::size_t files = 0;
+  std::istringstream scenes(run_twrench(folder, "scenes").out);
+  for (std::string line; std::getline(scenes, line);) {
+    const std::string name = line.substr(0, line.find(' '));
+    const std::string page = text_of(folder / ("a/site/" + name + ".html"));
+    const nlohmann::json scene = scene_of(page);
+    EXPECT_EQ(scene["source"], name);
+    EXPECT_EQ(scene["scene"]["look"]["theme"], "paper") << name;
+    // The index has the same picture.
+    const std::size_t picture = page.find("<img");
+    ASSERT_NE(picture, std::string::npos) << name;
+    const std::string link = "<a href=\"" + name + ".html\">";
+    const std::string image = page.substr(picture, page.find('>', picture) + 1 - picture);
+    EXPECT_NE(index.find(link + image), std::string::npos) << name;
+    ++files;
+  }
+  EXPECT_NE(index.find("disc: why it flips</h2><p>unstable about y"), std::string::npos);
+  EXPECT_GT(files, 10U);
+  const std::filesystem::directory_iterator all(folder / "a/site");
+  EXPECT_EQ(std::distance(begin(all), end(all)), static_cast<std::ptrdiff_t>(files + 1));
+}
+
+TEST(Page, RefusesWhatASiteCannotBe) {
+  const ScratchFolder folder;
+  write_template(folder);
+  std::ofstream(folder / "file") << "kept";
+  const auto refusal = [&](const std::string& words, int code) {
+    const Outcome run = run_twrench(folder, "page --all --template t.html " + words);
+    EXPECT_EQ(run.code, code) << words;
+    return run.err;
+  };
+  EXPECT_THAT(refusal("toutatis -o site", 2), HasSubstr("SCENE is given too"));
+  EXPECT_THAT(refusal("-o -", 2), HasSubstr("name the folder"));
+  EXPECT_THAT(refusal("--omega 1,2 -o site", 2), HasSubstr("--omega"));
+  EXPECT_THAT(refusal("-o file", 5), HasSubstr("Not a directory"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "site"));
+  std::filesystem::copy_file(folder / "t.html", folder / "index.html");
+  EXPECT_EQ(run_twrench(folder, "page --all --template index.html -o .").code, 2);
+  EXPECT_THAT(text_of(folder / "index.html"), HasSubstr("twrench:poster"));
 }
 
 // A pipe can be read only once.
@@ -141,7 +189,7 @@ TEST(Page, SaysThatItDrawsALargeMeshByFewerTriangles) {
   const Outcome run = run_twrench(folder, "page s.toml --template t.html -o a.html");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, MatchesRegex("twrench: the page draws [0-9]+ of 57120 triangles; mass "
-                                    "properties are those of all of them\n"));
+                                    "properties use all of them\n"));
 }
 
 TEST(Page, RefusesWhatItCannotDo) {
@@ -157,7 +205,7 @@ TEST(Page, RefusesWhatItCannotDo) {
   };
   expect_refused("--template t.html", 2, "--output");
   expect_refused("--template none.html -o a.html", 5, "No such file");
-  expect_refused("--template bare.html -o a.html", 5, "there is no {{title}}");
+  expect_refused("--template bare.html -o a.html", 5, "the mark {{title}} is missing");
   expect_refused("--template t.html -o t.html", 2, "t.html");
   expect_refused("s.toml --template t.html -o s.toml", 2, "s.toml");
   expect_refused("--template t.html -o no/such.html", 5, "No such file or directory");
@@ -167,7 +215,7 @@ TEST(Page, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_twrench(folder, "page s.toml --template t.html -o a.html --duration 1e9").code, 0);
 }
 
-// Only scripts/page.sh makes what is built in.
+// Only scripts/page.sh makes the built-in page.
 TEST(Page, IsBuiltInOrSaysHowToGetIt) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "page sphere -o a.html");
@@ -176,7 +224,7 @@ TEST(Page, IsBuiltInOrSaysHowToGetIt) {
   } else {
     EXPECT_EQ(run.code, 5);
     EXPECT_EQ(run.err,
-              "twrench: error: page: this build of twrench has no page built in\n"
+              "twrench: error: page: this build does not include the page\n"
               "  run scripts/page.sh, which makes it, and build again\n");
   }
 }

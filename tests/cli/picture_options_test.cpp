@@ -58,7 +58,7 @@ TEST(PictureOptions, OfTheMaterial) {
   EXPECT_EQ(wood["roughness"], 0.75);
 }
 
-// Where a wide lobe misses a thin neighbour, that reflects no more than it would where it is hit.
+// A wide lobe that misses a thin neighbour must not reflect more of it than one that hits it.
 TEST(PictureOptions, RoughPaintBesideAThinPartIsDull) {
   const ScratchFolder folder;
   std::ofstream(folder / "disc.toml") << R"(

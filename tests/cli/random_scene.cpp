@@ -21,14 +21,14 @@ double scale(SceneDice& dice, double decades) {
   return std::pow(10, dice.uniform(-decades, decades));
 }
 
-/// A unit vector near the axis, or any if that is none.
+/// A unit vector near the axis, or any unit vector if `axis` is not an axis.
 Vector3d direction(SceneDice& dice, int axis) {
   const Vector3d any = dice.vector(-1, 1);
   if (axis < 0) return any.normalized();
   return (Vector3d(Vector3d::Unit(axis)) + dice.uniform(0.001, 0.1) * any).normalized();
 }
 
-/// A body without parts: in a scene file, and as an option.
+/// A body without parts, as text of a scene file and as an option.
 struct InertiaTexts {
   std::string toml, option;
 };
@@ -57,8 +57,7 @@ RandomScene random_scene(std::uint32_t seed, std::uint32_t number) {
   SceneDice dice(seed, number);
   const double length = scale(dice, 6), mass = scale(dice, 6);
   const double turn = scale(dice, number % 4 == 3 ? 9 : 6);
-  // The edges differ by a tenth at least and are in ascending order, so that y is the intermediate
-  // axis.
+  // The edges ascend and differ by at least a tenth, so that y is the intermediate axis.
   const double x = dice.uniform(0.1, 0.5), y = x + dice.uniform(0.1, 0.3);
   const Vector3d edges = length * Vector3d(x, y, y + dice.uniform(0.1, 0.3));
   const Vector3d squares = edges.array().square();
@@ -66,8 +65,8 @@ RandomScene random_scene(std::uint32_t seed, std::uint32_t number) {
   const Vector3d own_omega =
       2 * std::numbers::pi / turn * direction(dice, axes[number % axes.size()]);
   const double density = mass / edges.prod();
-  // Within the limits of scene files for parts; otherwise the inertia is given, of every other two
-  // about axes that are not principal.
+  // Parts if the density is within the limits of scene files, otherwise inertias; every other
+  // inertia is about axes that are not principal.
   const bool solid = density > 1e-9 && density < 1e6;
   const bool is_turned = !solid && number % 4 >= 2;
   const Matrix3d R = is_turned ? so3::exp(dice.vector(-2, 2)) : Matrix3d::Identity();

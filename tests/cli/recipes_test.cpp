@@ -1,7 +1,6 @@
-// "Add an overlay", "Add a theme" and "Add an output format" of CONTRIBUTING.md, for each that
-// there is: a name that is accepted is listed by --help and by the document, is kept by the
-// manifest, and changes the picture. The names are those that the program itself offers for one
-// that it does not know.
+// "Add an overlay", "Add a theme" and "Add an output format" of CONTRIBUTING.md, for each existing
+// name: --help-all and the document list the name, the manifest records it, and it changes the
+// picture. The names are those that the program proposes for an unknown one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,13 +36,13 @@ std::vector<std::string> names_offered_for(const std::string& option,
   return names;
 }
 
-/// As a word of its own.
+/// A pattern for the whole word.
 std::string word(const std::string& name) { return "[^a-z-]" + name + "[^a-z-]"; }
 
-/// Each name in what --help says of the option, and in the document of scene files.
+/// Expects each name in the help of the option and in the document of scene files.
 void expect_told(const std::string& option, const std::vector<std::string>& names) {
   const ScratchFolder folder;
-  const std::string help = run_twrench(folder, "render --help").out;
+  const std::string help = run_twrench(folder, "render --help-all").out;
   const std::size_t begin = help.find("\n  " + option + " ");
   ASSERT_NE(begin, std::string::npos) << option;
   const std::string of_option = help.substr(begin, help.find("\n  --", begin + 1) - begin) + "\n";
@@ -55,8 +54,8 @@ void expect_told(const std::string& option, const std::vector<std::string>& name
 }
 
 struct Drawn {
-  std::string digest;  ///< of the one frame
-  json scene;          ///< as the manifest tells it
+  std::string digest;  ///< of the single frame
+  json scene;          ///< from the manifest
 };
 
 Drawn draw(const std::string& options) {

@@ -1,5 +1,6 @@
-// The numbers of the tasks in the report, held against independent ones: the reference motions of
-// 60 digits, the specification's own values, and methods written here a second time.
+// Compares the numbers of the tasks in the report with independent ones: the reference motions of
+// 60 digits, the values in the specification, and second implementations of the methods in this
+// file.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -83,7 +83,7 @@ TEST(Report, HasTheNumbersOfTheOtherCommands) {
   EXPECT_THAT(report, ContainsRegex("rkmk4</th>.*<td>4</td><td>[34]\\.[0-9]+</td>"));
 }
 
-// The names in one figure would take the place of those in another.
+// Names in one figure would replace the same names in another.
 TEST(Report, HasEachNameOnce) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, "report --duration 10 --static -o a.html").code, 0);
@@ -111,7 +111,7 @@ TEST(Report, IsMarkdownWithItsFiguresBesideIt) {
   }
 }
 
-// Scenes of the same name do not share a figure, and no name ends a link.
+// Scenes with the same name do not share a figure, and no character of a name ends a link early.
 TEST(Report, GivesEachFigureAFileOfItsOwn) {
   const ScratchFolder folder;
   const std::string scene = "[body]\nmoments = [1.0, 2.0, 3.0]\n[motion]\nduration = 5.0\n";
@@ -267,7 +267,7 @@ TEST(Report, ShowsAuthorAndDateAsText) {
                         "!\\[i\\](j)\n\nDate: \\</h1\\>\\`\\*8 November\\*\\`\n"));
 }
 
-// Other programs refuse a file that is not UTF-8 altogether.
+// Other programs reject a whole file if any part of it is not UTF-8.
 TEST(Report, StaysUtf8WithALineEach) {
   const ScratchFolder folder;
   const std::string given =

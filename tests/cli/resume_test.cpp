@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-// 240 frames, which take about a second.
-// With `nice`, a shell that waits for one of them acts before the last one on a busy machine too.
+// 240 frames, which take about a second. With `nice`, a shell that waits for one of the frames acts
+// before the last one even on a busy machine.
 const std::string long_command =
     "render --size 160x90 --fps 15 --speed 6 --duration 96 --progress none --frames-dir f -o "
     "v.mp4 ";

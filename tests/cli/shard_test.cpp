@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// 24 frames, of which every second is requested.
+// Every second one of 24 frames is requested.
 const std::string sharded_film =
     "render --size 64x36 --fps 10 --duration 14.4 --speed 6 --frames 0-23:2 --progress none ";
 

@@ -12,8 +12,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Succeeds a moment after the program has blocked SIGTERM, which it does before it waits for
-/// signals. A signal that comes earlier ends the process without a message.
+/// Succeeds shortly after the program has blocked SIGTERM, which it does before it waits for
+/// signals. An earlier signal ends the process without a message.
 const std::string heeds_signals =
     "{ grep -q '^SigBlk:.*[4567cdef]...$' /proc/$pid/status && sleep 0.3; }";
 
@@ -27,7 +27,7 @@ Outcome run_and_signal(const ScratchFolder& folder, const std::string& command,
                                signal + " $pid; wait $pid");
 }
 
-/// Checks that the command was ended by the signal and that only `left` remains.
+/// Checks that the signal ended the command and that only `left` remains.
 void expect_ended(const ScratchFolder& folder, const Outcome& run, int code,
                   const std::vector<std::string>& left) {
   EXPECT_EQ(run.code, code) << run.err;
@@ -74,7 +74,7 @@ TEST(Signals, EndAWaitForFfmpegAndEndItToo) {
       run_and_signal(folder, film, "HUP", "[ -s ../hung ]", "cd d; PATH=\"$PWD/../bin:$PATH\" ");
   expect_ended(folder, run, 143, {"bin", "d", "hung"});
   EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
-  // Whoever inherits it reaps it, so it may still have an entry.
+  // The ffmpeg may still have an entry as a zombie, until its new parent reaps it.
   const Outcome gone = run_shell(
       folder, "status=/proc/$(cat hung)/status; [ ! -e $status ] || grep -q '^State:.*Z' $status");
   EXPECT_EQ(gone.code, 0) << "ffmpeg goes on";
@@ -96,7 +96,7 @@ TEST(Signals, EndAnEncodingWithoutATemporary) {
 
 TEST(Signals, TellHowManyFramesTheRunHasDrawn) {
   const ScratchFolder folder;
-  // Thousands of frames, so that the signal comes before the last one on a busy machine too.
+  // Thousands of frames, so that the signal comes before the last one even on a busy machine.
   const std::string film =
       "render --size 160x90 --fps 10 --speed 6 --duration 3000 --no-video --progress none "
       "--frames-dir f --frames ";

@@ -1,5 +1,5 @@
-// The body is drawn where its motion and the manifest's matrices place it: its silhouette is
-// compared with one computed without the renderer, by casting rays through the pixels at the two
+// The body is drawn where its motion and the manifest's matrices place it. The test compares its
+// silhouette with one computed without the renderer, by casting rays through the pixels at the two
 // cylinders.
 #include <gtest/gtest.h>
 

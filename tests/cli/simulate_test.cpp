@@ -93,7 +93,14 @@ TEST(Simulate, JsonHasTheSameNumbers) {
   EXPECT_EQ(sample["energy"], row[13]);
 }
 
-// The document is written sample by sample, but must match what the JSON library would write.
+// The document is written sample by sample, but must match the output of the JSON library.
+TEST(Simulate, WritesNoNegativeZero) {
+  const ScratchFolder folder;
+  const std::string command = "simulate sphere --method exact --times 1,10,100 --format ";
+  EXPECT_EQ(run_twrench(folder, command + "csv").out.find("-0,"), std::string::npos);
+  EXPECT_EQ(run_twrench(folder, command + "json").out.find("-0.0,"), std::string::npos);
+}
+
 TEST(Simulate, JsonIsTheLibrarysOwnText) {
   const ScratchFolder folder;
   for (const char* times : {"", " --times 2", " --times 2,-1"}) {
@@ -104,7 +111,7 @@ TEST(Simulate, JsonIsTheLibrarysOwnText) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers keep freed memory
-/// The peak memory of simulating that many samples, kB.
+/// The peak memory of simulating that number of samples, kB.
 long peak_memory(int samples, const std::string& format) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "simulate --method exact --fps 1000 --duration " +

@@ -1,4 +1,4 @@
-// Films that are told in shots, with the real program.
+// Films with shots, with the real program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The commands of docs/tasks.md print what the page says.
+// The commands in docs/tasks.md print the output shown there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ std::vector<std::string> words(std::string line) {
   return result;
 }
 
-/// Numbers agree to the digits that are shown; rounding errors may be others.
+/// Whether numbers agree to the printed digits, except for rounding errors.
 bool agree(const std::string& expected, const std::string& actual) {
   if (expected == actual) return true;
   char *end = nullptr, *other_end = nullptr;
@@ -69,7 +69,7 @@ TEST(TasksPage, ShowsWhatItsCommandsPrint) {
   const auto all = sessions(text_of(TWRENCH_TESTS_DIR "/../docs/tasks.md"));
   EXPECT_GE(all.size(), 13U);
   for (const Session& session : all) {
-    if (session.command.starts_with("twrench render ")) continue;  // takes long, and is tested
+    if (session.command.starts_with("twrench render ")) continue;  // slow, and tested elsewhere
     const Outcome run = run_shell(folder, "twrench() { \"$TWRENCH\" \"$@\"; }; " + session.command);
     EXPECT_EQ(run.code, 0) << session.command << "\n" << run.err;
     std::vector<std::string> printed;

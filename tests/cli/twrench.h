@@ -41,9 +41,9 @@ inline std::string program() {
   return TWRENCH_TESTS_DIR "/cli/twrench-egl.sh";
 }
 
-/// Runs the script in a shell and returns its wait status. Stores in `used` what the shell and its
-/// children used. It calls fork() instead of std::system(): the child of the latter shares the
-/// memory of this process until it starts the shell, and the kernel counts this memory as well.
+/// Runs the script in a shell and returns its wait status. Stores the resource usage of the shell
+/// and its children in `used`. It calls fork() instead of std::system(), whose child shares the
+/// memory of this process until it starts the shell, so that the kernel counts this memory too.
 inline int run_script(const std::string& script, rusage& used) {
   const pid_t child = ::fork();
   if (child == 0) {

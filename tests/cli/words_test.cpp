@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "cli/twrench.h"
@@ -41,31 +44,81 @@ TEST(Help, OfACommandIsWhatItsOptionPrints) {
 TEST(Help, TellsDefaultsAndExitCodesInItsOwnWords) {
   const ScratchFolder folder;
   EXPECT_THAT(run_twrench(folder, "--help").out, HasSubstr("\n  5         a file could not be"));
-  const std::string render = run_twrench(folder, "render --help").out;
+  const std::string render = run_twrench(folder, "render --help-all").out;
   for (const char* part : {"[SCENE]\n", "(default: dzhanibekov)", "(default: 1920x1080)",
                            "(default: 1,0.05,0)", "(default: studio)", "  --timing  "}) {
     EXPECT_THAT(render, HasSubstr(part));
   }
   for (const char* command :
        {"render", "plot", "simulate", "export", "study", "encode", "compare"}) {
-    const std::string text = run_twrench(folder, std::string(command) + " --help").out;
-    for (const char* jargon : {"TEXT:", "{", "(1x)", "REQUIRED"}) {
-      EXPECT_THAT(text, Not(HasSubstr(jargon))) << command;
+    for (const char* option : {" --help", " --help-all"}) {
+      const std::string text = run_twrench(folder, command + std::string(option)).out;
+      for (const char* jargon : {"TEXT:", "{", "(1x)", "REQUIRED"}) {
+        EXPECT_THAT(text, Not(HasSubstr(jargon))) << command;
+      }
     }
   }
   EXPECT_THAT(run_twrench(folder, "compare --help").out, HasSubstr("0 alike, 1 different"));
   EXPECT_THAT(run_twrench(folder, "plot --help").out, HasSubstr("[SCENE...]\n"));
 }
 
-// Users search the help for these.
+// Users search the help for these words.
 TEST(Help, OfRenderNamesWhatAFilmCanBe) {
   const ScratchFolder folder;
-  const std::string help = run_twrench(folder, "render --help").out;
+  const std::string help = run_twrench(folder, "render --help-all").out;
   for (const char* line :
        {"--output [^\n]*GIF", "--speed [^\n]*slow motion", "--output [^\n]*slides",
         "--background [^\n]*transparent for overlays[^\n]*webm",
         "--language [^\n]*language of the captions [^\n]*: en or nb"}) {
     EXPECT_THAT(help, testing::ContainsRegex(line));
+  }
+}
+
+// The short help contains these words and fits on one screen.
+TEST(Help, OfRenderHasTheWordsThatUsersSearchFor) {
+  const ScratchFolder folder;
+  const std::string help = run_twrench(folder, "render --help").out;
+  for (const char* word : {"slow motion", "transparent", "GIF", "caption", "--help-all"}) {
+    EXPECT_THAT(help, HasSubstr(word));
+  }
+  EXPECT_LE(std::ranges::count(help, '\n'), 50) << help;
+  EXPECT_THAT(help, HasSubstr("\nMost used options:\n  -o,--output VIDEO "));
+  EXPECT_THAT(help, testing::ContainsRegex("\n  Camera  +--azimuth --elevation "));
+}
+
+/// The names of the options at the beginning of the lines of help: "--size".
+std::multiset<std::string> described_options(const std::string& help) {
+  static const std::regex line("\n  (-[a-z],)?(--[a-z-]+)");
+  std::multiset<std::string> names;
+  for (std::sregex_iterator match(help.begin(), help.end(), line), end; match != end; ++match) {
+    names.insert((*match)[2]);
+  }
+  return names;
+}
+
+TEST(Help, OfALongCommandDescribesTenOptionsAndNamesTheOthers) {
+  const ScratchFolder folder;
+  for (const std::string command : {"render", "export", "page", "study", "check"}) {
+    const std::string help = run_twrench(folder, command + " --help").out;
+    const Outcome all = run_twrench(folder, command + " --help-all");
+    EXPECT_EQ(all.code, 0) << all.err;
+    EXPECT_EQ(described_options(help).size(), 10U) << command;
+    const std::multiset<std::string> options = described_options(all.out);
+    EXPECT_GT(options.size(), 20U) << command;
+    for (const std::string& option : options) {
+      EXPECT_EQ(options.count(option), 1U) << command << " " << option;
+      EXPECT_THAT(help, testing::ContainsRegex("[ ,]" + option + "[ \n]")) << command;
+    }
+    EXPECT_THAT(all.out, HasSubstr("\nRun:\n  -h,--help "));
+  }
+}
+
+TEST(Help, OfAShortCommandDescribesEachOption) {
+  const ScratchFolder folder;
+  for (const std::string command : {"simulate", "plot", "report", "encode", "compare", "schema"}) {
+    const std::string help = run_twrench(folder, command + " --help").out;
+    EXPECT_THAT(help, Not(HasSubstr("Most used"))) << command;
+    EXPECT_THAT(help, HasSubstr("\nOptions:\n")) << command;
   }
 }
 
@@ -139,7 +192,7 @@ TEST(Words, TablesAreEscapedToo) {
   }
 }
 
-/// Runs it on a terminal, and returns the terminal's output.
+/// Runs the program on a terminal and returns the terminal's output.
 std::string seen_on_terminal(const ScratchFolder& folder, const std::string& environment) {
   return run_shell(folder,
                    environment + " script -qec '\"$TWRENCH\" " + tiny + "--overwrite' /dev/null")
@@ -166,7 +219,7 @@ TEST(Words, ABarInAFileHasNoEscapes) {
   EXPECT_THAT(run.err, Not(HasSubstr("\x1b")));
 }
 
-// exec keeps the times that the system has counted so far for the process and its children.
+// exec keeps the times already counted for the process and its children.
 TEST(Words, TimingDoesNotCountTheTimeBefore) {
   const ScratchFolder folder;
   const Outcome run =
@@ -177,7 +230,7 @@ TEST(Words, TimingDoesNotCountTheTimeBefore) {
   EXPECT_EQ(report["cpu_ms_per_frame"]["children"], 0.0);
 }
 
-/// Runs as nobody, because root would be permitted.
+/// Runs the command as the user nobody, because root has every permission.
 Outcome run_as_nobody(const ScratchFolder& folder, const std::string& command) {
   return run_shell(folder,
                    "setpriv --reuid 65534 --regid 65534 --clear-groups sh -c '" + command + "'");

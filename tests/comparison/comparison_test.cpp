@@ -18,7 +18,7 @@ class Folders : public testing::Test {
     return compare_folders(folders_.inputs(), criteria, {});
   }
 
-  /// The same frame in both folders, or other ones.
+  /// Adds a frame to both folders.
   void add(const std::string& name, int expected, int actual) {
     FilmFolders::write(folders_.expected() / name, expected);
     FilmFolders::write(folders_.actual() / name, actual);
@@ -49,7 +49,7 @@ TEST_F(Folders, TellWhatBecameOfEachFrame) {
   EXPECT_EQ(comparison.frames[1].difference.max, 30);
   EXPECT_EQ(comparison.frames[4].formats, "8x8 with 3 channels, and 9x8 with 3");
   EXPECT_THAT(comparison.first_unreadable()->failure->what(),
-              HasSubstr("actual/6.png: it is no PNG"));
+              HasSubstr("actual/6.png: it is not a PNG"));
 }
 
 TEST_F(Folders, AreAlikeWithinTheBounds) {

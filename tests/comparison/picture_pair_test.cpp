@@ -31,7 +31,7 @@ TEST(PicturePair, TellsFormatsThatDiffer) {
   EXPECT_EQ(pair.formats(), "10x8 with 3 channels, and 8x10 with 3");
 }
 
-// It would take a gigabyte for each.
+// Each image would take a gigabyte.
 TEST(PicturePair, RefusesAGiantPictureWithNothingOnIt) {
   std::vector<std::uint8_t> giant = gray(10, 8);
   for (const std::size_t at : {18U, 22U}) giant[at] = 0x40;  // 16384 in IHDR

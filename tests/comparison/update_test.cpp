@@ -19,7 +19,7 @@ class Update : public testing::Test {
     FilmFolders::write(folders_.actual() / name, actual);
   }
 
-  /// The value of a frame of the expected folder; -1 if it is not there.
+  /// The value of a frame in the expected folder; -1 if it does not exist.
   int expected(const std::string& name) const {
     const auto file = folders_.expected() / name;
     return std::filesystem::exists(file) ? image::read_png(file).pixels[0] : -1;

@@ -1,4 +1,4 @@
-// Compares the OpenGL backends: the same rasteriser draws the same picture through each.
+// Compares the OpenGL backends: they draw the same picture if they use the same rasteriser.
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 #include <twrench/math/so3.h>

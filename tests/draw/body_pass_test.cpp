@@ -30,7 +30,7 @@ using picture::Studio;
 using picture::t_wrench;
 using picture::white_studio;
 
-/// GL's own description of a program, through functions that only this test uses.
+/// OpenGL's own description of a program, from functions that only this test uses.
 class Reflection {
  public:
   Reflection(const gl::Context& context, GLuint program)
@@ -67,7 +67,7 @@ BodyModel wrench(double tolerance, const Material& material, const Studio& studi
                     studio);
 }
 
-/// A metal, and a body with a diffuse term: two shaders.
+/// Runs with a metal and with a body that has a diffuse term, because these have two shaders.
 class BodyPassTest : public testing::TestWithParam<float> {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
@@ -109,7 +109,7 @@ TEST_P(BodyPassTest, SetsEveryUniformOfTheShader) {
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
 }
 
-/// The largest channel difference of a pixel between two pictures.
+/// Returns the largest difference of a channel between two pictures at a pixel.
 int difference(const image::Image& a, const image::Image& b, std::size_t pixel) {
   int most = 0;
   for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) {
@@ -118,7 +118,7 @@ int difference(const image::Image& a, const image::Image& b, std::size_t pixel) 
   return most;
 }
 
-/// The pixels of a picture at least four pixels inside what is drawn.
+/// Returns the pixels of a picture that are at least four pixels inside the outline.
 std::vector<std::size_t> within_outline(const image::Image& image) {
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t rows = static_cast<std::size_t>(image.height) - 4;

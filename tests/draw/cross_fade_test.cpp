@@ -23,14 +23,14 @@ TEST(CrossFade, GoesFromOnePictureToTheOther) {
     }
     EXPECT_EQ(cross_fade(from, to, 0).pixels, from.pixels);
     EXPECT_EQ(cross_fade(from, to, 1).pixels, to.pixels);
-    EXPECT_EQ(cross_fade(from, from, 0.37).pixels, from.pixels) << "what is alike stays as it is";
+    EXPECT_EQ(cross_fade(from, from, 0.37).pixels, from.pixels) << "equal pixels are unchanged";
   }
 }
 
 TEST(CrossFade, IsTheMeanOfTheLight) {
   image::Image black(1, 1, 3), white(1, 1, 3);
   white.pixels.assign(3, 255);
-  // sRGB's code of half and of a fifth of the light.
+  // The sRGB codes of half and of a fifth of the light.
   EXPECT_EQ(cross_fade(black, white, 0.5).pixels[0], 188);
   EXPECT_EQ(cross_fade(black, white, 0.2).pixels[0], 124);
 }

@@ -31,7 +31,7 @@ TEST(Exposure, OfOnePictureIsThatPicture) {
 }
 
 TEST(Exposure, TakesTheMeanOfTheLight) {
-  // Half the light of sRGB's white is its level 188 (IEC 61966-2-1).
+  // Level 188 of sRGB has half the light of white (IEC 61966-2-1).
   EXPECT_EQ(mean({pixel(255, 0, 0, 255), pixel(0, 255, 0, 255)}), (Pixel{188, 188, 0, 255}));
 }
 

@@ -68,8 +68,8 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(film_goldens()), [](
   return name;
 });
 
-// golden_test.cpp has the floor, tests/picture/overlay_golden_test.cpp the texts and panels; the
-// forces are tested elsewhere.
+// The floor is tested in golden_test.cpp, texts and panels in
+// tests/picture/overlay_golden_test.cpp, and forces elsewhere.
 TEST(GoldenFilms, ShowEachOverlayOfTheViews) {
   using enum scene::Feature;
   std::set<scene::Feature> shown{floor,  labels, hud,    components, curve,

@@ -63,7 +63,7 @@ class FilmRendererTest : public testing::Test {
  protected:
   std::unique_ptr<gl::Context> context = gl::make_test_context();
 
-  /// The film's frames, drawn in this order, each with what is between them in progress.
+  /// Draws the film's frames in this order. All are begun before the first is completed.
   std::vector<image::Frame> drawn(const scene::Scene& scene, const std::vector<int>& frames) {
     FilmRenderer renderer(*context, scene);
     const timeline::FilmTimeline timeline(scene, frames);
@@ -134,7 +134,7 @@ TEST_F(FilmRendererTest, MovesTheCameraOfBothShots) {
   EXPECT_GT(middle.distance, start.distance);
   EXPECT_LT(middle.distance, end.distance);
   EXPECT_EQ(camera(11).view, end.view);
-  // With nothing else to tell the shots apart, the fade is invisible: both are seen from one place.
+  // The shots then differ in nothing else and are seen from one place, so the fade is invisible.
   scene::Scene plain = scene;
   plain.shots[1].scene.overlay = plain.shots[0].scene.overlay;
   scene::Scene cut = plain;
@@ -186,7 +186,8 @@ TEST_F(FilmRendererTest, NamesTheShotThatCannotBeDrawn) {
     FilmRenderer(*context, scene);
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("s.toml:19: shot[1]: caption: needs more than 3 lines"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("s.toml:19: shot[1]: caption: needs more than the 3 lines"));
   }
   EXPECT_THAT(message("[shot.overlay]\nview = 'quad'\ncompare = ['rk4', 'exact']"),
               HasSubstr("s.toml:19: shot[1]: compare"));

@@ -27,7 +27,7 @@ class FloorTest : public testing::Test {
     return PoseRenderer(*context, scene, features).draw(X);
   }
 
-  /// The effect of the floor: the red of each pixel with it, minus that without.
+  /// Returns the effect of the floor: the red of each pixel with it, minus that without it.
   std::vector<int> change(const scene::Scene& scene, const Matrix3d& X) const {
     const image::Image with = drawn(scene, X, {scene::Feature::floor});
     const image::Image without = drawn(scene, X, {});
@@ -45,7 +45,7 @@ class FloorTest : public testing::Test {
     return scene;
   }
 
-  /// The centre of the shadow on a white floor, column and row.
+  /// Returns the centre of the shadow on a white floor: column and row.
   Eigen::Vector2d shadow(const scene::Scene& scene, const Matrix3d& X) const {
     const std::vector<int> darker = change(scene, X);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -94,7 +94,7 @@ TEST_F(FloorTest, LeavesAFlatBackgroundItsColourAndShadesIt) {
 
 TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
   const scene::Scene scene = white();
-  // The leg, which casts most of it, points right, or left.
+  // The leg, which casts most of the shadow, points right or left.
   const Eigen::Vector2d right = shadow(scene, Matrix3d::Identity());
   const Eigen::Vector2d left = shadow(scene, so3::exp(Vector3d(0, 3.14, 0)));
   EXPECT_GT(right.x(), left.x() + 5);
@@ -117,7 +117,7 @@ TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
   for (int row = 0; row < 90; ++row) EXPECT_GE(at(159, row), -1) << row;
 }
 
-// The light goes along with the camera, and here the body too; the floor does not.
+// The light moves with the camera and, here, with the body; the floor does not.
 TEST_F(FloorTest, IsSeenToStandStillUnderAMovingCamera) {
   const auto seen = [&](double azimuth, double orbit) {
     scene::Scene scene = t_wrench(320, 180);
@@ -148,7 +148,7 @@ TEST_F(FloorTest, IsNotThereWhereItCannotBe) {
   }
 }
 
-// Not with a sphere per radius, of which its length is ten million.
+// The wire is ten million radii long: too many for a sphere per radius.
 TEST_F(FloorTest, IsDrawnBelowAWire) {
   scene::Scene scene = white();
   scene.body.parts = {cylinder(1e-6, 10, {0, 0, 0}, {1, 1, 1})};

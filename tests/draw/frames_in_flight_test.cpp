@@ -1,5 +1,5 @@
-// Frames begun before others are completed are byte-identical to those drawn one by one and read at
-// once; and pixels read in bands equal those read as a whole.
+// Frames begun before others are completed are byte-identical to frames that are drawn one by one
+// and read at once. Pixels read in bands equal pixels read as a whole.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,8 @@ struct Film {
   double orbit = 0;
 };
 
-/// The frame with its damaged areas restored: the static background, if the rest is unchanged.
+/// Returns the frame with its damaged areas restored. This is the static background if the rest is
+/// unchanged.
 image::Image without_changes(const image::Frame& frame, const image::Image& background) {
   image::Image image = frame.image;
   const auto channels = static_cast<std::size_t>(image.channels);

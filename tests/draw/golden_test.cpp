@@ -96,7 +96,7 @@ class GoldenImage : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenImage, IsDrawn) { expect_golden(GetParam().name, drawn(GetParam(), GetParam().X)); }
 
-// What the thresholds must detect.
+// The thresholds must detect this.
 TEST_P(GoldenImage, SeesAWrongPose) {
   const image::Image golden = image::read_png(golden_path(GetParam().name));
   const Matrix3d& X = GetParam().X;

@@ -1,5 +1,5 @@
-// A body that is given by an inertia matrix is drawn along its principal axes: it looks like one
-// whose axes are principal, in the pose that puts the principal axes in the same directions.
+// A body given by an inertia matrix is drawn along its principal axes. It looks like a body whose
+// axes are principal, in the pose that gives the principal axes the same directions.
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 

@@ -1,4 +1,4 @@
-// Whether text, arrows and curves can be read in frames as they are drawn, and composited.
+// Tests whether text, arrows and curves are legible in frames as drawn, and composited.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -48,7 +48,7 @@ int difference(const Color& a, const Color& b) {
   return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
 
-/// What the viewer sees of a transparent frame over a background.
+/// Returns a transparent frame composited over a background.
 image::Image composited(const image::Image& frame, const Color& ground) {
   if (frame.channels == 3) return frame;
   image::Image image(frame.width, frame.height, 3);
@@ -63,7 +63,7 @@ image::Image composited(const image::Image& frame, const Color& ground) {
   return image;
 }
 
-/// The highest contrast between a pixel and any other within `reach` px.
+/// Returns the highest contrast between a pixel and any other within `reach` px.
 double contrast_around(const image::Image& image, int x, int y, int reach) {
   const Color here = color_at(image, x, y);
   double most = 1;
@@ -75,8 +75,8 @@ double contrast_around(const image::Image& image, int x, int y, int reach) {
   return most;
 }
 
-/// The contrasts of the pixels in `area` that have the colour of an ink, up to a sixth of coverage,
-/// and are other than without what was drawn with it.
+/// Returns the contrasts of the pixels in `area` that have the colour of an ink, up to a sixth of
+/// coverage, and differ from the same pixels in `without`.
 std::vector<double> contrasts_of(const Color& ink, const image::Image& image,
                                  const image::Area& area, const image::Image& without) {
   constexpr int same = 60, other = 10, reach = 3;
@@ -127,12 +127,12 @@ class Legibility : public testing::TestWithParam<Look> {
     return renderer.draw(state).image;
   }
 
-  /// The backgrounds over which a frame is composited: one if it has its own.
+  /// Returns the backgrounds over which a frame is composited; only one if the frame has its own.
   std::vector<Color> grounds() const {
     return GetParam().transparent ? std::vector{white, black, violet} : std::vector{black};
   }
 
-  /// The frame over each of the backgrounds.
+  /// Returns the frame over each of the backgrounds.
   std::vector<image::Image> seen(const image::Image& frame) const {
     std::vector<image::Image> images;
     for (const Color& ground : grounds()) images.push_back(composited(frame, ground));
@@ -194,7 +194,7 @@ TEST_P(Legibility, OfTextAndCurvesIsThatOfText) {
   }
 }
 
-// Along each arrow near its end: the contrast of its middle with what it stands out from, and its
+// Checks, along each arrow near its end, the contrast of its middle with its surroundings, and its
 // mean colour.
 TEST_P(Legibility, OfArrowsIsThatOfGraphics) {
   std::map<std::string, Vector3d> sums;
@@ -217,7 +217,8 @@ TEST_P(Legibility, OfArrowsIsThatOfGraphics) {
         const Vector2d place = pixel_of(camera, whole, share * arrow.first);
         const auto x = static_cast<int>(place.x()), y = static_cast<int>(place.y());
         const Color here = color_at(images[0], x, y);
-        // Of that hue, nearly as light: not hidden by the body or another arrow.
+        // Neither the body nor another arrow hides it: the hue is the same, and the lightness
+        // nearly.
         const Eigen::Vector3d ink(arrow.second.red, arrow.second.green, arrow.second.blue),
             shown(here.red, here.green, here.blue);
         if (ink.normalized().dot(shown.normalized()) < 0.993 || shown.norm() < 0.65 * ink.norm())
@@ -256,7 +257,7 @@ TEST_P(Legibility, OfTheTrailIsThatOfGraphics) {
   }
 }
 
-/// The contrasts of the pixels that have nearly the colour of an ink.
+/// Returns the contrasts of the pixels that have nearly the colour of an ink.
 std::vector<double> contrasts_near(const Color& ink, const image::Image& image) {
   constexpr int nearly = 60, reach = 7;
   std::vector<double> contrasts;
@@ -269,7 +270,7 @@ std::vector<double> contrasts_near(const Color& ink, const image::Image& image) 
   return contrasts;
 }
 
-// The axes and the levels about them, and the level of the motion with its trail.
+// Checks the axes, the levels about them, and the level of the motion with its trail.
 TEST_P(Legibility, OfCurvesOnTheMomentumSphereIsThatOfGraphics) {
   scene.overlay.view = scene::View::momentum;
   for (const image::Image& image : seen(drawn({trail}, 118))) {
@@ -281,7 +282,7 @@ TEST_P(Legibility, OfCurvesOnTheMomentumSphereIsThatOfGraphics) {
   }
 }
 
-// The polhode, the herpolhode's trail and the arrows.
+// Checks the polhode, the herpolhode's trail and the arrows.
 TEST_P(Legibility, OfCurvesOnPoinsotsEllipsoidIsThatOfGraphics) {
   scene.overlay.view = scene::View::poinsot;
   for (const image::Image& image : seen(drawn({trail}, 118))) {

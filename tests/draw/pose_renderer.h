@@ -6,7 +6,7 @@
 
 namespace twrench::draw {
 
-/// Returns the scene with only these features besides the body.
+/// Returns the scene with the body and only these features.
 inline scene::Scene showing(scene::Scene scene, const std::set<scene::Feature>& features) {
   scene.overlay.show = features;
   return scene;
@@ -20,7 +20,7 @@ class PoseRenderer {
       : timeline_(showing(scene, features), {0}),
         renderer_(context, showing(scene, features), timeline_.solutions()) {}
 
-  /// With motion blur, as if it moved on from X as it does from its first pose.
+  /// With motion blur, the body moves on from X as it does from its first pose.
   image::Image draw(const Eigen::Matrix3d& X) {
     timeline::FrameState state = timeline_.frame_state(0);
     for (motion::Sample& sample : state.solutions[0].blur) {

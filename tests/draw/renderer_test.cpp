@@ -27,7 +27,7 @@ const std::uint8_t* pixel(const image::Image& image, int x, int y) {
                        static_cast<std::size_t>(x) * static_cast<std::size_t>(image.channels)];
 }
 
-/// The alpha of a transparent frame at `point` in space.
+/// Returns the alpha of a transparent frame at `point` in space.
 int coverage_at(const PoseRenderer& renderer, const image::Image& image, const Vector3d& point) {
   const Eigen::Vector4d clip =
       renderer.camera().projection * renderer.camera().view * point.homogeneous();
@@ -121,7 +121,7 @@ TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
 }
 
 TEST_F(RendererTest, TurnsTheBodyAndNotTheLight) {
-  // A box that has turned half way looks the same.
+  // A box that has turned by half a turn looks the same.
   scene::Scene scene = t_wrench();
   scene.body.parts = {{body::Box{{2, 6, 3}}, 1, {0, 0, 0}, Matrix3d::Identity()}};
   PoseRenderer renderer(*context, scene);
@@ -175,7 +175,7 @@ TEST_F(RendererTest, GivesTheSameBytesWhateverWasDrawnBefore) {
 }
 
 TEST_F(RendererTest, DrawsAPoseThatHasLeftTheRotations) {
-  // As eq. (24) produces: grown beyond the frame, and beyond the camera too.
+  // Eq. (24) produces such poses: the body has grown beyond the frame, and beyond the camera too.
   PoseRenderer renderer(*context, transparent());
   const image::Image large = renderer.draw(1.5 * turned(0.5, {1, 1, 0}));
   EXPECT_EQ(coverage_at(renderer, large, Vector3d::Zero()), 255);

@@ -25,7 +25,7 @@ image::Image noise(int width, int height) {
   return image;
 }
 
-/// A layer of cells that fills the picture but for a margin of fractional width.
+/// Returns a layer of cells that fills the picture except for a margin of fractional width.
 SoftLayer over(const image::Image& image, int columns, int rows, std::vector<Cell> cells) {
   SoftLayer layer{columns, rows, std::move(cells), {1.5, 2.25}, {1, 1}, {}};
   layer.covered = {2, 3, image.width - 5, image.height - 6};
@@ -33,7 +33,7 @@ SoftLayer over(const image::Image& image, int columns, int rows, std::vector<Cel
   return layer;
 }
 
-/// Cells of random colours no brighter than their alpha.
+/// Returns cells of random colours that are no brighter than their alpha.
 std::vector<Cell> random_cells(int count) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> share(0, 1);
@@ -45,7 +45,8 @@ std::vector<Cell> random_cells(int count) {
   return cells;
 }
 
-/// The colour of the layer at the centre of a pixel, by the definition of bilinear interpolation.
+/// Returns the colour of the layer at the centre of a pixel, by the definition of bilinear
+/// interpolation.
 Eigen::Array4d interpolated(const SoftLayer& layer, int x, int y) {
   const double column = std::clamp((x + 0.5 - layer.corner.x()) / layer.cell_size.x() - 0.5, 0.0,
                                    layer.columns - 1.0);
@@ -93,7 +94,7 @@ TEST(SoftLayer, LeavesEveryLevelWhereItIsTransparent) {
   }
   const image::Image before = image;
   std::vector<Cell> cells(6, Cell::Zero());
-  cells[1] = Cell(0, 0, 0, 0.2F);  // not to be seen
+  cells[1] = Cell(0, 0, 0, 0.2F);  // too faint to be seen
   const SoftLayer layer{3, 2, cells, {0, 0}, {256 / 3.0, 2}, {0, 0, 256, 4}};
   EXPECT_TRUE(composite_over(image, layer).empty());
   EXPECT_EQ(image.pixels, before.pixels);
@@ -111,7 +112,7 @@ TEST(SoftLayer, CoversWhereItIsOpaque) {
   }
 }
 
-// Without dither a gradient of one level is a step.
+// Without dither, a gradient of one level would be a step.
 TEST(SoftLayer, IsDithered) {
   image::Image image = gray(64, 64, 100);
   const SoftLayer layer{2,      1,        {Cell(0, 0, 0, 0.5F), Cell(0, 0, 0, 3)},

@@ -1,4 +1,4 @@
-// Pixels of what the views show, compared with the mechanics.
+// Compares the pixels of the views with the mechanics.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -103,7 +103,7 @@ TEST_F(SpaceViews, DrawArrowsWhereTheMatricesSayAndInView) {
   }
 }
 
-/// The largest difference of any channel of any pixel.
+/// Returns the largest difference of any channel of any pixel.
 int largest_difference(const image::Image& a, const image::Image& b) {
   int largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -136,7 +136,7 @@ TEST_F(SpaceViews, ShowFaintlyWhatIsBehindTheBody) {
   }
 }
 
-// Where an arrow leaves the body's flank it must not end in a step, which would be jagged.
+// An arrow must not end in a step where it leaves the body's flank; the step would be jagged.
 TEST_F(SpaceViews, FadeArrowsWhereTheyEnterTheBody) {
   scene::Scene scene = with({scene::Feature::momentum});
   const timeline::Timeline timeline(scene, {71});
@@ -149,7 +149,7 @@ TEST_F(SpaceViews, FadeArrowsWhereTheyEnterTheBody) {
   const Camera camera = view.camera(0);
   const BodyOverlay overlay(scene, timeline.solutions()[0].body,
                             bounding_radius(scene::visible_parts(scene.body)));
-  // Along the middle of L: how much of its colour, yellow, there is.
+  // Along the middle of L: the amount of its colour, yellow.
   std::vector<double> yellow;
   for (int i = 0; i <= 400; ++i) {
     const Vector2d place = pixel_of(camera, pane.area, i / 400.0 * overlay.momentum_tip());
@@ -179,7 +179,7 @@ TEST_F(SpaceViews, PutADotWhereTheTrailsPointIs) {
     return image.pixels[static_cast<std::size_t>(4 * (y * image.width + x))];
   };
   EXPECT_GT(luminance(place), 240) << "white";
-  // All around it, but for where the trail comes from, the halo is dark.
+  // The halo is dark all around the dot, except on the side of the trail.
   int dark = 0;
   for (int i = 0; i < 16; ++i) {
     const double angle = 2 * std::numbers::pi * i / 16;
@@ -255,7 +255,7 @@ TEST_F(SpaceViews, HaveTheBodyAtRestInItsOwnFrame) {
     for (std::size_t k = 0; k < image.pixels.size(); ++k) {
       apart = std::max(apart, std::abs(int{image.pixels[k]} - int{first.pixels[k]}));
     }
-    EXPECT_LE(apart, 12) << i;  // of edges, by round-off
+    EXPECT_LE(apart, 12) << i;  // at edges, by round-off
   }
 }
 

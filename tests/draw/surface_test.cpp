@@ -1,4 +1,4 @@
-// What the surface of the body shows: light and its rotation, without artefacts.
+// Tests the surface of the body: it shows light and its rotation, without artefacts.
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 
@@ -39,7 +39,7 @@ class Surface : public testing::Test {
   }
 };
 
-/// Darkest and brightest channel mean of the pixels that the body covers.
+/// Returns the darkest and the brightest channel mean of the pixels that the body covers.
 std::pair<double, double> range(const image::Image& image) {
   double low = 255, high = 0;
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
@@ -51,7 +51,7 @@ std::pair<double, double> range(const image::Image& image) {
   return {low, high};
 }
 
-/// Mean difference of the red channel over the pixels that both pictures cover.
+/// Returns the mean difference of the red channel over the pixels that both pictures cover.
 double mean_change(const image::Image& a, const image::Image& b) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
@@ -62,7 +62,7 @@ double mean_change(const image::Image& a, const image::Image& b) {
   return sum / count;
 }
 
-// Frame 105 of the default film, where the leg points at the camera, was black in the crease.
+// In frame 105 of the default film the leg points at the camera. The crease was once black there.
 TEST_F(Surface, IsLitInTheCreaseByTheOtherPart) {
   scene::Scene scene = t_wrench(640, 360);
   scene.look.transparent = true;
@@ -100,7 +100,7 @@ TEST_F(Surface, OfABodyOfRevolutionIsMarked) {
   }
 }
 
-/// The mean colour of the pixels that the body covers on one side of the picture.
+/// Returns the mean colour of the pixels that the body covers on one side of the picture.
 Eigen::Vector3d mean_color(const image::Image& image, bool on_the_left) {
   Eigen::Vector3d sum = Vector3d::Zero();
   double count = 0;
@@ -113,7 +113,7 @@ Eigen::Vector3d mean_color(const image::Image& image, bool on_the_left) {
   return sum / count;
 }
 
-// Red on the left, blue on the right.
+// Expects red on the left and blue on the right.
 void expect_two_colors(const image::Image& image) {
   const Vector3d left = mean_color(image, true), right = mean_color(image, false);
   EXPECT_GT(left[0], 2 * left[2]);
@@ -147,7 +147,7 @@ TEST_F(Surface, HasTheColoursOfAMeshsVertices) {
   }
 }
 
-// A mesh is as good as the shape that it approximates.
+// A mesh looks as good as the shape that it approximates.
 TEST_F(Surface, OfAFineMeshLooksLikeTheShapes) {
   const body::Part box{body::Box{{0.4, 0.4, 0.4}}, 1, {1.5, 0, 0}, Matrix3d::Identity()};
   const body::Part ball{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()};
@@ -159,7 +159,7 @@ TEST_F(Surface, OfAFineMeshLooksLikeTheShapes) {
   EXPECT_LT(image::compare(exact, mesh, 48)->share, 0.006) << "of 255: along the outline";
 }
 
-// Facets of a sphere must not be seen to turn at its outline.
+// The outline must not reveal how the facets of a sphere turn.
 TEST_F(Surface, HasARoundOutlineThatStaysAsASphereTurns) {
   const body::Part ball{body::Ellipsoid{{1, 1, 1}}, 1, {0, 0, 0}, Matrix3d::Identity()};
   PoseRenderer renderer(*context, transparent({ball}, 640, 360));
@@ -174,8 +174,8 @@ TEST_F(Surface, HasARoundOutlineThatStaysAsASphereTurns) {
   }
 }
 
-/// How far a place along the rim of the handle's lower cap outshines both places a few pixels
-/// beside it; of each place the brightest pixel across the rim counts.
+/// Returns by how much a place along the rim of the handle's lower cap may outshine both places a
+/// few pixels beside it, at most. The value of a place is its brightest pixel across the rim.
 int brightest_bead(const PoseRenderer& renderer, const image::Image& image, const Matrix3d& X) {
   const std::size_t count = static_cast<std::size_t>(image.width) / 5;
   std::vector<int> rim;
@@ -201,9 +201,9 @@ int brightest_bead(const PoseRenderer& renderer, const image::Image& image, cons
   return brightest;
 }
 
-// With one sample per pixel a bevel narrower than a pixel must not glitter, by hundreds. Four have
-// no beads; what is left are the ends of highlights, which one sample ends more abruptly by up
-// to 30.
+// With one sample per pixel, a bevel narrower than a pixel must not glitter; it would by hundreds.
+// With four samples there are no beads. The remaining difference, up to 30, is at the ends of
+// highlights, which are more abrupt with one sample.
 TEST_F(Surface, HasNoBeadsAlongTheRimOfACap) {
   for (const int width : {640, 1280}) {
     scene::Scene scene = transparent(t_wrench().body.parts, width, width * 9 / 16);
@@ -218,10 +218,26 @@ TEST_F(Surface, HasNoBeadsAlongTheRimOfACap) {
   }
 }
 
+// The rim of a cap that faces away is the outline of the side, and most of it appears narrower than
+// a pixel. It then shows the side, which is dark there.
+TEST_F(Surface, HasNoDotsAlongTheRimOfACapThatFacesAway) {
+  for (const int width : {640, 1280}) {
+    PoseRenderer renderer(*context, transparent(t_wrench().body.parts, width, width * 9 / 16));
+    for (const double tilt : {0.3, 0.6}) {
+      for (const double turn : {0.0, 0.4, 1.2}) {
+        const Matrix3d X = so3::exp(Vector3d(tilt, 0, 0)) * so3::exp(Vector3d(0, turn, 0));
+        EXPECT_LE(brightest_bead(renderer, renderer.draw(X), X), 4)
+            << width << " pixels wide, tilted by " << tilt << ", turned by " << turn;
+      }
+    }
+  }
+}
+
 const body::Part tube{body::Tube{2, 1.5, 3}, 1, {0, 0, 0}, Matrix3d::Identity()};
 const body::Part torus{body::Torus{2, 0.7}, 1, {0, 0, 0}, Matrix3d::Identity()};
 
-/// How many pixels differ by more than 12 of 255, in a window of 15 x 15 with few others that do.
+/// Returns how many pixels differ by more than 12 of 255 and have few others that do so within 15 x
+/// 15 pixels.
 int specks(const image::Image& a, const image::Image& b) {
   const auto differs = [&](int row, int column) {
     const auto at = static_cast<std::size_t>(4 * (row * a.width + column));
@@ -242,9 +258,9 @@ int specks(const image::Image& a, const image::Image& b) {
   return count;
 }
 
-// Half a turn about the axis swaps the white and the black end of the stripe, and no more. Paint
-// may not show beside the stripe where facets are seen edge-on; what is left are the stripe's own
-// ends, where it becomes narrower than a pixel.
+// Half a turn about the axis only swaps the white and the black end of the stripe. Paint must not
+// appear beside the stripe where facets are seen edge-on. The remaining differences are at the
+// stripe's own ends, where it becomes narrower than a pixel.
 TEST_F(Surface, HasNoSpecksOfTheMarkAlongOutlines) {
   for (const body::Part& part : {torus, tube}) {
     scene::Scene scene = transparent({part}, 640, 360);
@@ -265,8 +281,8 @@ TEST_F(Surface, HasNoSpecksOfTheMarkAlongOutlines) {
   }
 }
 
-// With one sample per pixel the rim is moved half a pixel inwards. The end face beside it, which is
-// flat, reflects the same as with four, and so does a rim that is seen narrower than a pixel.
+// With one sample per pixel, the rim is moved half a pixel inwards. The end face beside it is flat
+// and reflects the same as with four samples, and so does a rim that appears narrower than a pixel.
 TEST_F(Surface, HasEndFacesThatReflectTheSameUpToTheRim) {
   scene::Scene scene = transparent({tube}, 640, 360);
   PoseRenderer one(*context, scene);

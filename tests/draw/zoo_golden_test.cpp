@@ -19,7 +19,7 @@ struct ZooGolden {
 
 void PrintTo(const ZooGolden& golden, std::ostream* out) { *out << golden.name; }
 
-/// The scene without text, which fonts and releases of Cairo draw differently.
+/// Returns the scene without text, which depends on the fonts and the release of Cairo.
 scene::Scene small_and_mute(const std::string& name) {
   scene::Scene film = scene::load_scene(name);
   film.film.width = 320;

@@ -1,4 +1,4 @@
-// examples/golden, copied to a folder of its own.
+// examples/golden, copied to a separate folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST_F(GoldenExample, FailsWhenAGoldenFrameIsTouched) {
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.out, HasSubstr("frame_000052.png: different: max "));
   EXPECT_THAT(text_of(folder_ / "project/out/report.html"),
-              HasSubstr("1 of 3 frames is not what was expected"));
+              HasSubstr("1 of 3 frames is not as expected"));
 }
 
 TEST_F(GoldenExample, FailsWhenTheBodyOrItsMotionIsAnother) {

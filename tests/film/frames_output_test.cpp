@@ -31,7 +31,7 @@ void draw(FramesOutput& output) {
   sequence.finish();
 }
 
-// Both find the folder empty; the second gets its lock only after the first has ended.
+// Both runs find the folder empty; the second gets its lock only after the first has ended.
 TEST(FramesOutput, LooksAgainUnderTheLock) {
   const ScratchFolder scratch;
   const auto output_of = [&](const char* scene, Reuse reuse) {

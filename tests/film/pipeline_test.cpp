@@ -182,7 +182,8 @@ TEST_F(PipelineOfThreads, AnErrorOfTheWritingEndsTheRun) {
   video::FrameSequence sequence(folder_.path() / "frames", manifest_of(count));
   int drawn = 0;
   const auto draw = [&](std::size_t frame) {
-    // Renamed, because that is atomic: other threads write there while a removal would proceed.
+    // Renames the folder, because that is atomic: during a removal, other threads could write
+    // there.
     if (++drawn == 5) std::filesystem::rename(folder_ / "frames", folder_ / "gone");
     return frame_of(frame);
   };

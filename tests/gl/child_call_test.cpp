@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The error of the call in a child.
+/// Returns the error of the call in a child.
 GlError error_of(const std::function<std::string()>& call) {
   try {
     const std::string result = ChildCall(call).result();
@@ -54,7 +54,7 @@ TEST(ChildCall, IsKilledWhenNobodyWaits) {
   });
 }
 
-// Drivers have threads and locks, which do not survive a fork.
+// The threads and locks of drivers do not survive a fork.
 TEST(OpenContext, RefusesAForkedProcess) {
   const OpenedContext opened = open_context({});
   const GlError error = error_of([]() -> std::string {

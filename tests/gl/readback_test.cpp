@@ -13,7 +13,8 @@ namespace {
 
 constexpr int width = 37, height = 23;
 
-/// A slanted triangle over the middle, whose colour varies from pixel to pixel and with `shade`.
+/// Draws a slanted triangle over the middle, whose colour varies from pixel to pixel and with
+/// `shade`.
 class Drawn {
  public:
   Drawn(const Functions& gl, int samples, ReadMode mode)
@@ -52,7 +53,7 @@ class Drawn {
 
 class ReadbackTest : public GlTest, public testing::WithParamInterface<int> {
  protected:
-  /// The pixels read at once when that is drawn.
+  /// Returns the pixels of that picture, read at once.
   std::vector<std::uint8_t> expected(float shade, const Rectangle& area) const {
     const Drawn at_once(gl, GetParam(), ReadMode::at_once);
     at_once.draw(shade);

@@ -9,8 +9,8 @@
 
 namespace twrench::gl {
 
-/// Creates the tests' context, in software everywhere: EGL if TWRENCH_TEST_BACKEND=egl, which runs
-/// every test with EGL only, or if there is no OSMesa; otherwise OSMesa.
+/// Creates the tests' context, always in software: with EGL if TWRENCH_TEST_BACKEND=egl, which runs
+/// every test with EGL only, or if there is no OSMesa; otherwise with OSMesa.
 inline std::unique_ptr<Context> make_test_context() {
   const char* const wanted = std::getenv("TWRENCH_TEST_BACKEND");
   const std::string backend = wanted == nullptr ? "" : wanted;

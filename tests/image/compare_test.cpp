@@ -84,7 +84,7 @@ TEST(Compare, TellsWhereItIs) {
   EXPECT_EQ(compare(a, b, 5)->area, (Area{3, 1, 1, 1}));
 }
 
-/// Two flat halves with the edge between them after so many columns, and a column of a mixture.
+/// Two flat halves, separated after `column` columns by one column of the value `between`.
 Image edge(int column, std::uint8_t between) {
   Image image = flat(12, 6, 3, 20);
   for (int y = 0; y < 6; ++y) {
@@ -108,8 +108,8 @@ TEST(Compare, EdgesMayLieElsewhereHoweverAntialiased) {
   EXPECT_EQ(compare(edge(5, 200), edge(7, 200), 0, 2)->max, 0);
 }
 
-// Among neighbours like the background it would be overlooked if only one image were held against
-// the other.
+// A pixel among neighbours like the background would be overlooked if only one image were compared
+// with the other.
 TEST(Compare, NoToleranceForEdgesHidesWhatIsInOneImageAlone) {
   const Image a = flat(9, 9, 3, 100);
   for (const std::size_t pixel : {0U, 8U, 40U, 72U, 80U}) {
@@ -122,7 +122,8 @@ TEST(Compare, NoToleranceForEdgesHidesWhatIsInOneImageAlone) {
   }
 }
 
-/// The least difference of the sample from the range of its neighbours, both ways, as documented.
+/// The distance of a sample from the range of its neighbours in the other image, or the reverse,
+/// whichever is larger, as documented.
 int edge_difference(const Image& a, const Image& b, int x, int y, int c, int radius) {
   const auto at = [&](const Image& image, int i, int j) {
     return int{image.pixels[static_cast<std::size_t>((j * image.width + i) * image.channels + c)]};

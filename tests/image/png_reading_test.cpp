@@ -66,7 +66,7 @@ class PngFile {
     return *this;
   }
 
-  /// The file, of rows that begin with their filter each.
+  /// Returns the file with these rows. Each row begins with its filter.
   Bytes with(const Bytes& rows) { return add("IDAT", compressed(rows)).end(); }
 
   Bytes end() { return add("IEND", {}).bytes_; }
@@ -140,7 +140,7 @@ TEST(PngReading, AColourThatIsTransparentMakesAlpha) {
   EXPECT_THAT(decode_png(gray8, "a").pixels, ElementsAre(7, 7, 7, 0, 8, 8, 8, 255));
   const auto gray1 = PngFile(2, 1, 1, gray).add("tRNS", {0, 1}).with({0, 0b10000000});
   EXPECT_THAT(decode_png(gray1, "a").pixels, ElementsAre(255, 255, 255, 0, 0, 0, 0, 255));
-  // All 16 bits are compared, also where 8 are read.
+  // All 16 bits are compared, even if only 8 are read.
   const auto gray16 = PngFile(2, 1, 16, gray).add("tRNS", {1, 2}).with({0, 1, 2, 1, 3});
   EXPECT_THAT(decode_png(gray16, "a").pixels, ElementsAre(1, 1, 1, 0, 1, 1, 1, 255));
   EXPECT_THAT(decode_deep(gray16).pixels,
@@ -200,7 +200,7 @@ TEST(PngReading, InterlacedImagesAreTheSame) {
   }
 }
 
-/// What a filter predicts from the samples on the left, above, and above on the left (PNG
+/// The prediction of a filter from the samples on the left, above, and above on the left (PNG
 /// specification, 9.2).
 int predicted(int filter, int left, int above, int corner) {
   const int estimate = left + above - corner;
@@ -210,7 +210,7 @@ int predicted(int filter, int left, int above, int corner) {
   return std::array{0, left, above, (left + above) / 2, paeth}[static_cast<std::size_t>(filter)];
 }
 
-/// The rows of an image, each by the next of the filters.
+/// The rows of an image; the filters are applied to them in turn.
 Bytes filtered_rows(const Image& image, const std::vector<int>& filters) {
   const auto size = static_cast<int>(image.row_bytes());
   const auto at = [&](int i, int y) {
@@ -229,7 +229,7 @@ Bytes filtered_rows(const Image& image, const std::vector<int>& filters) {
   return rows;
 }
 
-// Some are undone by ISA-L's side, all others by libspng.
+// ISA-L's path undoes some of them, libspng all others.
 TEST(PngReading, UndoesEveryFilter) {
   const std::vector<std::vector<int>> all{{0}, {1}, {2}, {3}, {4}, {2, 1, 0}, {1, 2, 3, 4, 0}};
   for (const std::vector<int>& filters : all) {
@@ -265,14 +265,14 @@ TEST(PngReading, DataMayComeInPieces) {
   const Bytes data = compressed({0, 10, 20, 30});
   PngFile file(1, 1, 8, rgb);
   for (const std::uint8_t byte : data) file.add("IDAT", {byte}).add("IDAT", {});
-  file.add("IDAT", {1, 2, 3});  // what follows the end is left alone
+  file.add("IDAT", {1, 2, 3});  // bytes after the end are ignored
   EXPECT_THAT(decode_png(file.end(), "a").pixels, ElementsAre(10, 20, 30));
 }
 
 TEST(PngReading, RefusesWhatIsNoPng) {
-  EXPECT_THAT(failure({}), HasSubstr("cannot read a.png: it is no PNG image"));
-  EXPECT_THAT(failure({'t', 'e', 'x', 't'}), HasSubstr("it is no PNG image"));
-  EXPECT_THAT(failure(Bytes(1000, 'x')), HasSubstr("it is no PNG image"));
+  EXPECT_THAT(failure({}), HasSubstr("cannot read a.png: it is not a PNG image"));
+  EXPECT_THAT(failure({'t', 'e', 'x', 't'}), HasSubstr("it is not a PNG image"));
+  EXPECT_THAT(failure(Bytes(1000, 'x')), HasSubstr("it is not a PNG image"));
 }
 
 TEST(PngReading, RefusesWhatNoPngCanBe) {
@@ -306,7 +306,8 @@ TEST(PngReading, ChecksThatChunksAreWholeWithoutDecoding) {
     damaged[i] ^= 0x10;
     EXPECT_NE(chunk_failure(damaged), "whole") << i;
   }
-  EXPECT_THAT(chunk_failure(Bytes(1000, 'x')), HasSubstr("cannot read a.png: it is no PNG image"));
+  EXPECT_THAT(chunk_failure(Bytes(1000, 'x')),
+              HasSubstr("cannot read a.png: it is not a PNG image"));
 }
 
 TEST(PngReading, ReadsTheHeader) {
@@ -319,7 +320,7 @@ TEST(PngReading, ReadsTheHeader) {
 
 TEST(PngReading, RefusesTruncatedFiles) {
   const auto whole = encode_png(sample_image(40, 30, 3, 3));
-  // The last 12 bytes say only that this is the end.
+  // The last 12 bytes only mark the end.
   for (std::size_t length = 0; length + 12 < whole.size(); length += 7) {
     EXPECT_NE(failure({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)}),
               "no error")
@@ -327,7 +328,7 @@ TEST(PngReading, RefusesTruncatedFiles) {
   }
 }
 
-/// The most memory that the process has had so far.
+/// The peak memory of the process so far.
 long peak_mebibytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -342,7 +343,7 @@ TEST(PngReading, ASizeThatTheFileIsTooShortForTakesNoMemory) {
                                type, interlaced)
                            .with({0, 0, 0});
       EXPECT_LT(png.size(), 100);
-      EXPECT_THAT(failure(png), HasSubstr("cut short"));
+      EXPECT_THAT(failure(png), HasSubstr("truncated"));
     }
   }
   EXPECT_LT(peak_mebibytes() - before, 100);  // of 768 for the smaller
@@ -360,7 +361,7 @@ TEST(PngReading, RefusesASizeBeyondTheLargest) {
 TEST(PngReading, RefusesAChunkThatIsLongerThanTheFile) {
   auto longer = encode_png(sample_image(4, 4, 3, 4));
   longer[33] = 0x3f;  // the length of the chunk after the header: a gigabyte
-  EXPECT_THAT(failure(longer), HasSubstr("cut short"));
+  EXPECT_THAT(failure(longer), HasSubstr("truncated"));
 }
 
 TEST(PngReading, RefusesAWrongChecksumOfAnyChunk) {
@@ -381,11 +382,12 @@ TEST(PngReading, RefusesAWrongChecksumOfAnyChunk) {
     EXPECT_THAT(failure(file(type)), HasSubstr("the checksum of a chunk is wrong")) << type;
   }
   auto renamed = encode_png(sample_image(40, 30, 3, 3));
-  renamed[37] ^= 0x20;  // IDAT, to what a decoder may ignore
+  renamed[37] ^= 0x20;  // IDAT becomes a chunk that decoders may ignore
   EXPECT_NE(failure(renamed), "no error");
 }
 
-/// A file of one pixel with these data, in one piece or in two of which the second is so long.
+/// A file of one pixel with these data: in one piece, or in two if `second`, the length of the
+/// second piece, is not 0.
 Bytes png_of_data(const Bytes& data, int second) {
   const auto cut = data.end() - second;
   PngFile file(1, 1, 8, rgb);
@@ -406,7 +408,7 @@ TEST(PngReading, RefusesDataWithoutTheirEnd) {
   const Bytes whole = compressed({0, 10, 20, 30});
   for (std::ptrdiff_t missing = 1; missing < std::ssize(whole); ++missing) {
     EXPECT_THAT(failure(png_of_data({whole.begin(), whole.end() - missing}, 0)),
-                HasSubstr("its compressed data are cut short"))
+                HasSubstr("its compressed data are truncated"))
         << missing;
   }
 }
@@ -415,10 +417,10 @@ TEST(PngReading, RefusesMoreDataThanPixels) {
   EXPECT_THAT(failure(PngFile(200, 1, 8, rgb).with(Bytes(1'000'000))),
               HasSubstr("its compressed data are damaged"));
   EXPECT_THAT(failure(PngFile(200, 2, 8, rgb).with(Bytes(601))),
-              HasSubstr("its compressed data are cut short"));
+              HasSubstr("its compressed data are truncated"));
 }
 
-/// A text or a colour profile, compressed, that inflates to so many bytes.
+/// A compressed text or colour profile that inflates to that size.
 Bytes metadata(const std::string& start, std::size_t size) {
   Bytes data(start.begin(), start.end());
   data.insert(data.end(), {0, 0});  // the end of the name, and deflate
@@ -434,7 +436,7 @@ TEST(PngReading, MetadataAreBounded) {
       return failure(PngFile(1, 1, 8, rgb).add(type, data).with(row));
     };
     EXPECT_EQ(with(metadata("name", 100'000)), "no error") << type;
-    EXPECT_EQ(with({'a', 0, 0, 1, 2, 3}), "no error") << type;  // damaged, and of no use here
+    EXPECT_EQ(with({'a', 0, 0, 1, 2, 3}), "no error") << type;  // damaged, but not used here
     EXPECT_THAT(with(metadata("name", std::size_t{65} << 20U)), HasSubstr("metadata")) << type;
   }
   PngFile many(1, 1, 8, rgb);

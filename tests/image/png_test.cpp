@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "convert a.png -depth 8 rgba:a.raw"}),
     [](const auto& param) { return std::string(param.param.tool); });
 
-// libpng's own tool inflates all there is and checks every sum.
+// pngfix, libpng's tool, inflates all data and verifies every checksum.
 TEST(Png, HasNothingForLibpngToMend) {
   if (!installed("pngfix")) GTEST_SKIP() << "pngfix is not installed";
   for (const int channels : {3, 4}) {
@@ -95,7 +95,7 @@ TEST(Png, BytesDependOnTheImageAloneWhicheverThreadsRun) {
   EXPECT_EQ(together, alone);
 }
 
-/// The image as PNG, encoded by a thread whose stack lies at that address; empty where that is
+/// The image as PNG, encoded by a thread whose stack is at that address; empty if the address is
 /// taken.
 std::vector<std::uint8_t> encoded_at(std::uintptr_t address, const Image& image) {
   constexpr std::size_t size = std::size_t{1} << 20U;
@@ -123,7 +123,7 @@ std::vector<std::uint8_t> encoded_at(std::uintptr_t address, const Image& image)
 }
 
 TEST(Png, BytesDependOnTheImageAloneWhereverItIsCompressed) {
-  Image image(64, 8, 3);  // whose rows are alike, so that what starts the first is found in all
+  Image image(64, 8, 3);  // equal rows: all contain the start of the first
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = static_cast<std::uint8_t>(i % image.row_bytes() / 3 * 2);
   }
@@ -140,7 +140,7 @@ TEST(Png, BytesDependOnTheImageAloneWhereverItIsCompressed) {
   EXPECT_GT(compared, 6'000);
 }
 
-/// Frames of a film: what is the same in all, but for an area that is elsewhere in each.
+/// A frame of a film, which equals the others except for an area elsewhere in each.
 struct FilmFrame {
   Image image;
   Area damage;
@@ -185,7 +185,7 @@ TEST(Png, OfAFilmIsTheSameBytesAsAlone) {
 TEST(Png, OfAFilmHasItsStillRowsFromTheFirstFrameThatHasThem) {
   StaticBands bands;
   const Image first = sample_image(50, 96, 3, 1), other = sample_image(50, 96, 3, 2);
-  const Area above{10, 3, 5, 28}, below{30, 32, 5, 1};  // the rows from 64 on are still in both
+  const Area above{10, 3, 5, 28}, below{30, 32, 5, 1};  // both keep the rows from 64 on
   encode_png(first, {{&below, 1}, bands});
   const Image read = decode_png(encode_png(other, {{&above, 1}, bands}), "a.png");
   const auto last_band = static_cast<std::ptrdiff_t>(64 * first.row_bytes());

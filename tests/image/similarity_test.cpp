@@ -69,7 +69,7 @@ TEST(Similarity, IsWhatTheDefinitionSays) {
   }
 }
 
-// Only the windows that see a change are computed: it may be anywhere.
+// Only windows with a change are computed, and the change may be anywhere.
 TEST(Similarity, SeesASingleSampleWhereverItIs) {
   const Image a = sample_image(15, 13, 3, 1);
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(Similarity, NeedsAWindow) {
   }
 }
 
-/// Pixels that are the same in any language: those of tests/python/test_compare.py.
+/// The same pixels as those of tests/python/test_compare.py.
 Image pattern(int width, int height, int seed) {
   Image image(width, height, 3);
   std::size_t i = 0;
@@ -113,8 +113,8 @@ Image pattern(int width, int height, int seed) {
   return image;
 }
 
-// The last column is scikit-image's structural_similarity(a, b, channel_axis=-1); that test holds
-// the program against scikit-image itself where it is installed.
+// The last column is scikit-image's structural_similarity(a, b, channel_axis=-1). That test
+// compares the program with scikit-image itself if it is installed.
 TEST(Similarity, IsThatOfScikitImage) {
   struct Case {
     int a, b;

@@ -32,7 +32,7 @@ std::string aem_of(const scene::Scene& scene, const std::vector<double>& times) 
   return text;
 }
 
-/// A reader of the keyword = value notation of CCSDS 504.0-B-1, section 4, after its example.
+/// A reader of the keyword = value notation of CCSDS 504.0-B-1, section 4, modelled on its example.
 struct Message {
   explicit Message(const std::string& text) {
     std::istringstream lines(text);
@@ -64,7 +64,7 @@ struct Message {
   std::vector<Eigen::Quaterniond> attitudes;
 };
 
-// That the reader above reads what the standard shows.
+// Checks the reader above with the standard's example.
 TEST(Aem, ReaderReadsTheExampleOfTheStandard) {
   const Message example(
       "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2002-11-04T17:22:31\nORIGINATOR = NASA/JPL\n\n"
@@ -113,7 +113,7 @@ TEST(Aem, HasTheExactMotionWhateverTheMethod) {
   }
 }
 
-// The matrix of the standard's annex maps the components of a vector in frame A to those in B.
+// The matrix in the standard's annex maps the components of a vector in frame A to those in B.
 TEST(Aem, TurnsFromAToBAsTheStandardHasIt) {
   const Message message(aem_of(tumbling(), {0, 2}));
   const Eigen::Quaterniond& q = message.attitudes[1];
@@ -132,7 +132,7 @@ TEST(Aem, HasNoInstantTwice) {
   EXPECT_EQ(Message(aem_of(tumbling(), {0, 1, 1 + 1e-12})).epochs.size(), 2U);
 }
 
-// A body that turns in nanoseconds: all rows in whole nanoseconds would be the same.
+// If a body turns in nanoseconds, all rows in whole nanoseconds would be the same.
 TEST(Aem, HasFinerTimesForFasterBodies) {
   scene::Scene scene = tumbling();
   scene.motion.omega *= 1e10;

@@ -1,4 +1,4 @@
-"""Plays a .glb in Blender at 1000 random times and holds what it shows against the exact motion.
+"""Plays a .glb in Blender at 1000 random times and compares it with the exact motion.
 
 Usage: blender --background --python-exit-code 1 --python blender_test.py -- FILE.glb BOUND DURATION [option of simulate ...]
 
@@ -31,7 +31,7 @@ scene = bpy.context.scene
 fps = scene.render.fps / scene.render.fps_base
 
 dice = random.Random(2026)
-# Frames and parts of a frame are float32 numbers: multiples of 1/1024 are exact.
+# Frames and fractions of a frame are float32 numbers, which represent multiples of 1/1024 exactly.
 frames = [dice.randrange(int(duration * fps * 1024)) / 1024 for _ in range(1000)]
 exact = []
 for i in range(0, len(frames), 500):

@@ -13,7 +13,7 @@
 
 namespace twrench::interchange {
 
-/// A .glb as its specification has it, read without the code that writes it.
+/// Reads a .glb according to its specification, independently of the code that writes it.
 class GlbReader {
  public:
   explicit GlbReader(const std::string& bytes) : bytes_(bytes) {

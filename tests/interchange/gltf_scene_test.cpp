@@ -38,7 +38,8 @@ std::vector<float> numbers(const GlbReader& glb, const nlohmann::json& sampler, 
   return glb.floats(sampler[of].get<std::size_t>());
 }
 
-// As a program reads the file that knows nothing of ours: at random times, within the bound.
+// Reads the file as a program does that knows only glTF: at random times, the motion is within the
+// bound.
 TEST(GltfScene, PlaysTheExactMotion) {
   const scene::Scene scene = scene::load_scene("dzhanibekov");
   const motion::ExactMotion exact = exact_motion(scene);
@@ -134,7 +135,7 @@ TEST(GltfScene, HasTheMaterialOfTheScene) {
   EXPECT_EQ(material["roughnessFactor"], 0.5);
 }
 
-// The arrow of L points along L, and at the start that of omega along omega.
+// The arrow of L points along L, and that of omega initially along omega.
 TEST(GltfScene, HasArrowsThatPoint) {
   const scene::Scene scene = scene::load_scene("dzhanibekov");
   const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
@@ -145,7 +146,7 @@ TEST(GltfScene, HasArrowsThatPoint) {
   EXPECT_LT(angle_between(Quaterniond(x.data()) * Vector3d::UnitZ(), Vector3d::UnitX()), 1e-12);
 }
 
-// The centre of mass is in the picture, which has the shape of the scene's.
+// The centre of mass is in the picture, whose shape is that of the scene's picture.
 TEST(GltfScene, HasTheCameraOfTheScene) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
   scene.camera.azimuth = 0.4;
@@ -160,7 +161,7 @@ TEST(GltfScene, HasTheCameraOfTheScene) {
   EXPECT_NEAR((turn * Vector3d::UnitX()).y(), 0, 0.05) << "upright";
 }
 
-// Where the film's camera is at any time, carried by what turns.
+// A node that turns carries the camera, so that it is where the film's camera is at any time.
 TEST(GltfScene, HasACameraThatMovesAsTheFilmsDoes) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
   scene.camera.orbit = -0.2;  // rad per second of video, which is 6 s of motion

@@ -31,7 +31,7 @@ export function exactMotion(options, times) {
   });
 }
 
-/// The angle between two attitudes; small ones are not computed by their cosine.
+/// The angle between two attitudes, computed without a cosine so that small angles are accurate.
 export function angleBetween(a, b) {
   const d = a.clone().normalize().conjugate().multiply(b.clone().normalize());
   return 2 * Math.atan2(Math.hypot(d.x, d.y, d.z), Math.abs(d.w));

@@ -7,7 +7,7 @@
 
 namespace twrench::interchange {
 
-/// The keys about a time, and how far it lies between them, 0 to 1.
+/// The key before a time, and the fraction of the way to the next key, 0 to 1.
 struct Between {
   std::size_t key;
   double share;
@@ -21,8 +21,8 @@ inline Between between(const std::vector<float>& times, double time) {
 
 enum class Interpolation { slerp, nlerp };
 
-/// The rotation that a player shows, by glTF's definition of LINEAR ("interpolation slerp") or as
-/// those do it that normalise a linear interpolation.
+/// The rotation that a player shows, by glTF's definition of LINEAR (slerp) or, as in several
+/// programs, by normalised linear interpolation (nlerp).
 inline Eigen::Quaterniond played_rotation(const std::vector<float>& times,
                                           const std::vector<float>& rotations, double time,
                                           Interpolation interpolation = Interpolation::slerp) {

@@ -14,8 +14,8 @@ Vector3d vector_at(const std::vector<float>& numbers, std::size_t i) {
   return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
 }
 
-/// The volume in m^3 that the triangles enclose, positive if they face outwards. Each must face as
-/// its normals do.
+/// The volume in m^3 that the triangles enclose, positive if they face outwards. Each triangle must
+/// face in the direction of its normals.
 double volume_within(const Surface& surface) {
   double volume = 0;
   for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
@@ -41,7 +41,7 @@ TEST(Surface, OfAPartIsInMetres) {
 }
 
 TEST(Surface, OfAnArrowIsClosed) {
-  const double polygon = 16 * std::sin(2 * std::numbers::pi / 32);  // for pi
+  const double polygon = 16 * std::sin(2 * std::numbers::pi / 32);  // replaces pi
   const double head = polygon * 2.4 * 2.4 * 5.5 / 3;
   EXPECT_NEAR(volume_within(arrow_surface(10, 1)), 1e-6 * (head + 4.5 * polygon), 1e-10);
   EXPECT_NEAR(volume_within(arrow_surface(2.75, 1)), 1e-6 * head / 8, 1e-10) << "the head alone";

@@ -1,4 +1,4 @@
-// Plays .glb files in three.js at 1000 random times and holds what it shows against the exact motion.
+// Plays .glb files in three.js at 1000 random times and compares them with the exact motion.
 // Usage: node three_test.mjs FILE.glb BOUND SPEED DURATION [option of simulate ...]
 import { readFile } from "node:fs/promises";
 import process from "node:process";

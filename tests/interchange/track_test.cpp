@@ -98,7 +98,7 @@ TEST(Track, OfEveryBodyIsWithinTheBoundAtAnyInstant) {
   }
 }
 
-// The bound is used, not merely kept: with few keys the error comes near it.
+// There are no needless keys: the error comes near the bound.
 TEST(Track, HasKeysOnlyWhereTheMotionNeedsThem) {
   const PlayedMotion motion = the_film();
   for (const double bound : {1e-5, 1e-4, 1e-3}) {
@@ -112,7 +112,7 @@ TEST(Track, OfABodyAtRestHasTwoKeys) {
 }
 
 // Each key is computed for the float32 time that is written, so that nothing is lost late in a
-// motion, though float32 times are then 1e-3 s apart.
+// motion, although float32 times are then 1e-3 s apart.
 TEST(Track, LosesNothingLateInALongMotion) {
   const PlayedMotion motion = the_film();
   const Track track = attitude_track(motion, 10'000, 1e-4);

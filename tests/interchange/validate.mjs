@@ -1,5 +1,5 @@
-// Holds .glb files against the glTF specification with Khronos' validator: no error, no warning, no
-// hint. Usage: node validate.mjs FILE.glb...
+// Checks .glb files against the glTF specification with Khronos' validator, which must report no error,
+// warning or hint. Usage: node validate.mjs FILE.glb...
 import { readFile } from "node:fs/promises";
 import process from "node:process";
 import validator from "gltf-validator";

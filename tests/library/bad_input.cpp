@@ -1,6 +1,6 @@
 // Calls the public functions of the installed library with arguments that are empty, not finite,
 // out of range or in the wrong order, and expects the error that their headers document. It
-// includes nothing but the public headers.
+// includes only the public headers.
 #include <twrench/twrench.h>
 
 #include <array>
@@ -30,7 +30,7 @@ void fail(const char* what, const std::string& quantity, const std::string& got)
   std::printf("%s: expected an error about '%s', got %s\n", what, quantity.c_str(), got.c_str());
 }
 
-/// Expects an InvalidArgument, of which OutOfRange is one, about the quantity.
+/// Expects an InvalidArgument (or an OutOfRange, which derives from it) about `quantity`.
 void rejects(const char* what, const std::string& quantity, const std::function<void()>& call) {
   ++calls;
   try {
@@ -51,7 +51,7 @@ Matrix3d bad_matrix(double bad) {
   return matrix;
 }
 
-/// Tumbles, and turns over.
+/// Returns a body that tumbles and turns over.
 motion::FreeBody body() { return {Vector3d(1, 2, 3).asDiagonal(), {0.01, 1, 0.02}}; }
 
 motion::Sample sample() { return motion::ExactMotion(body()).at(1); }
@@ -107,7 +107,7 @@ void meshes() {
   }
 }
 
-/// Every function of a shape, of a part and of parts.
+/// Expects an error from every function of a shape, a part and parts.
 void rejects_shape(const std::string& quantity, const body::Shape& shape) {
   rejects("volume", quantity, [&] { body::volume(shape); });
   rejects("centroid", quantity, [&] { body::centroid(shape); });
@@ -154,7 +154,7 @@ void shapes() {
   rejects("frame_with_z_along", "axis", [] { body::frame_with_z_along(Vector3d::Zero()); });
 }
 
-/// Every function of a part.
+/// Expects an error from every function of a part.
 void rejects_part(const std::string& quantity, const body::Part& part) {
   rejects("mass_properties", quantity, [&] { body::mass_properties({&part, 1}); });
   rejects("equimomental_points", quantity, [&] { body::equimomental_points(part); });
@@ -293,7 +293,10 @@ void polhodes() {
   };
   rejects_level("moments", {{3, 2, 1}, level.energy, level.axis, level.side});
   rejects_level("moments", {{2, 2, 2}, level.energy, level.axis, level.side});
-  for (const int bad : {-1, 1, 3}) rejects_level("axis", {moments, level.energy, bad, level.side});
+  for (const int bad : {-1, 1, 3}) {
+    const auto axis = static_cast<body::PrincipalAxes::Axis>(bad);
+    rejects_level("axis", {moments, level.energy, axis, level.side});
+  }
   for (const double bad : {0.0, nan}) {
     rejects_level("side", {moments, level.energy, level.axis, bad});
     rejects_level("energy", {moments, bad, level.axis, level.side});
@@ -305,19 +308,49 @@ void polhodes() {
 
 void stabilities() {
   const Vector3d moments(1, 2, 3);
+  constexpr auto axis = body::PrincipalAxes::least;
   for (const double bad : not_positive) {
-    rejects("stability", "moments", [&] { motion::stability(bad_vector(bad), 0, 1); });
+    rejects("stability", "moments", [&] { motion::stability(bad_vector(bad), axis, 1); });
   }
+  rejects("stability", "moments", [&] { motion::stability({3, 2, 1}, axis, 1); });
   for (const int bad : {-1, 3}) {
-    rejects("stability", "axis", [&] { motion::stability(moments, bad, 1); });
+    rejects("stability", "axis",
+            [&] { motion::stability(moments, static_cast<body::PrincipalAxes::Axis>(bad), 1); });
   }
   const motion::Tilt tilt(body());
   for (const double bad : not_finite) {
-    rejects("stability", "omega", [&] { motion::stability(moments, 0, bad); });
+    rejects("stability", "omega", [&] { motion::stability(moments, axis, bad); });
     const motion::Sample wrong = sample_with(Matrix3d::Identity(), bad_vector(bad));
     rejects("Tilt::of", "omega", [&] { tilt.of(wrong); });
     rejects("Tilt::direction", "omega", [&] { tilt.direction(wrong); });
   }
+}
+
+void interiors() {
+  const Matrix3d inertia = Vector3d(1, 2, 3).asDiagonal(), attitude = Matrix3d::Identity();
+  const motion::FreeBody wheeled(inertia, {0, 0, 1}, attitude, {.wheel = {0, 0, 1}});
+  for (const double bad : not_finite) {
+    rejects("FreeBody", "wheel", [&] {
+      motion::FreeBody(inertia, {0, 0, 1}, attitude, {.wheel = bad_vector(bad)});
+    });
+    rejects("FreeBody::rigid_velocity", "m", [&] { wheeled.rigid_velocity(bad_vector(bad)); });
+    rejects("FreeBody::turning_rate", "m", [&] { wheeled.turning_rate(bad_vector(bad)); });
+    rejects("FreeBody::energy", "m", [&] { wheeled.energy(bad_vector(bad)); });
+  }
+  rejects("FreeBody", "wheel", [&] {
+    motion::FreeBody(inertia, {0, 0, 1}, attitude, {.wheel = {0, 0, 1e200}});
+  });
+  for (const double bad : {0.0, -1.0, nan, 1e-3}) {
+    rejects("FreeBody", "energy_loss_time", [&] {
+      motion::FreeBody(inertia, {0, 0, 1}, attitude, {.energy_loss_time = bad});
+    });
+  }
+  rejects("FreeBody", "energy_loss_time", [&] {
+    motion::FreeBody(attitude, {0, 0, 1}, attitude, {.energy_loss_time = 10});
+  });
+  rejects("ExactMotion", "method exact", [&] {
+    motion::ExactMotion(wheeled.with_omega({1, 0, 0}));
+  });
 }
 
 void frames() {
@@ -327,7 +360,8 @@ void frames() {
     const motion::Sample wrong_X = sample_with(bad_matrix(bad), fine.omega);
     const motion::Sample wrong_omega = sample_with(fine.X, bad_vector(bad));
     rejects("angular_acceleration", "omega",
-            [&] { motion::angular_acceleration(body(), bad_vector(bad)); });
+            [&] { motion::angular_acceleration(body(), wrong_omega); });
+    rejects("angular_acceleration", "X", [&] { motion::angular_acceleration(body(), wrong_X); });
     rejects("body_frame", "X", [&] { motion::body_frame(body(), wrong_X); });
     rejects("body_frame", "omega", [&] { motion::body_frame(body(), wrong_omega); });
     rejects("steady_frame", "t", [&] { motion::steady_frame(body(), bad); });
@@ -402,7 +436,7 @@ void methods() {
   }
 }
 
-/// The checks keep copies of what is temporary here.
+/// FlipSearch and EstimateCheck copy their arguments, which are temporary objects here.
 void studies() {
   const Matrix3d unit = Matrix3d::Identity();
   const motion::AcceptedStep fine{0, 0.1, unit, unit, 1e-9};
@@ -468,6 +502,7 @@ int main() {
   exact_motions();
   polhodes();
   stabilities();
+  interiors();
   frames();
   methods();
   studies();

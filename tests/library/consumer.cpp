@@ -1,5 +1,5 @@
-// A program that links the installed library. scripts/library.sh compiles it with flags that differ
-// from the library's: the results must be the same.
+// A program that links the installed library. scripts/library.sh compiles it with other flags than
+// the library's; the results must be the same.
 #include <twrench/base/error.h>
 #include <twrench/math/so3.h>
 #include <twrench/study/flip_search.h>
@@ -117,7 +117,7 @@ void expect_known(const motion::Sample& sample, const Known& known, const char* 
   expect(is_near, what);
 }
 
-/// Evaluates the motion at the times of `known`, one by one, together and by arrays.
+/// Evaluates the motion at the times of `known` one by one, together and as arrays.
 void expect_motion(const motion::ExactMotion& motion, const std::array<Known, 5>& known,
                    const char* what) {
   std::vector<double> times;
@@ -179,7 +179,7 @@ void test_methods() {
   }
 }
 
-/// Calls functions of Eigen that the library calls, too. Without optimisation the linker takes the
+/// Calls functions of Eigen that the library also calls. Without optimisation, the linker uses the
 /// copies of this program for both.
 void test_shared_functions() {
   const Vector3d u(0.3, -1.2, 0.7);
@@ -213,7 +213,8 @@ void expect_refused(const Function& function, const char* what) {
   expect(false, what);
 }
 
-/// The library finds a NaN even if the program is compiled for none.
+/// The library detects a NaN even if the program is compiled with the assumption that there are
+/// none.
 void test_errors() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Matrix3d identity = Matrix3d::Identity();

@@ -36,7 +36,7 @@ TEST(Completions, HaveEachOptionOfEachCommand) {
   }
 }
 
-/// What bash offers for the last of the words.
+/// The completions that bash offers for the last of the words.
 std::string offered(const std::string& words) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "mine.toml", "");
@@ -52,7 +52,7 @@ std::string offered(const std::string& words) {
   return {text.begin(), text.end()};
 }
 
-/// "studio paper space", a line.
+/// The names on a line, separated by spaces: "studio paper space".
 std::string spaced(const std::vector<std::string>& names) {
   std::string line;
   for (const std::string& name : names) line += (line.empty() ? "" : " ") + name;

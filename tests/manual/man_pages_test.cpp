@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// As roff has it.
+/// The text as it appears in roff.
 std::string with_escaped_hyphens(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '-' ? "\\-" : std::string(1, c);

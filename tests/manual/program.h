@@ -14,7 +14,7 @@ namespace twrench::manual {
 using app::Command;
 using app::Option;
 
-/// The commands of the program, without their names' leading "twrench".
+/// The commands of the program, with names without the leading "twrench".
 inline std::vector<Command> all_commands() {
   CLI::App app(app::about, "twrench");
   app::ExitCode code = app::ExitCode::done;

@@ -1,5 +1,6 @@
+#include "math/elliptic.h"
+
 #include <gtest/gtest.h>
-#include <twrench/math/elliptic.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -31,8 +32,8 @@ struct Reference {
   Real sn, cn, dn, theta;  ///< theta is arg Theta(u + i a) from its series in q, at any u
 };
 
-/// By the definitions, DLMF 22.2.4-6 and 20.2.4, summed in 50 digits: without transformation or
-/// reduction, with as many terms as necessary.
+/// Sums the definitions, DLMF 22.2.4-6 and 20.2.4, in 50 digits, without transformation or
+/// reduction and with as many terms as necessary.
 Reference by_definition(const Real& u, const Real& m, const Real& mc, const Real& a_prime) {
   const Real K = complete(mc), Kc = complete(m), q = exp(-pi() * Kc / K), z = pi() * u / (2 * K);
   const Real alpha = pi() * (Kc - a_prime) / (2 * K);
@@ -67,7 +68,7 @@ struct Complement {
   double m, mc;
 };
 
-/// On both sides of the change of series at m = 0.955.
+/// Returns parameters on both sides of the change of series at m = 0.955.
 std::vector<Complement> complements() {
   return {{1e-12, 1 - 1e-12}, {0.1, 0.9},   {0.5, 0.5},       {0.75, 0.25},       {0.95, 0.05},
           {0.96, 0.04},       {0.99, 0.01}, {1 - 1e-5, 1e-5}, {1 - 1e-11, 1e-11}, {1, 1e-18}};
@@ -118,7 +119,7 @@ TEST(Jacobi, EqualsItsDefinition) {
       const double K = jacobi.quarter_period();
       for (const double u : {0.0, 1e-7, 0.3 * K, K, -0.98 * K, 1.3 * K, -1.9 * K, 2 * K, 7.7 * K}) {
         SCOPED_TRACE(testing::Message() << "mc " << mc << " a'/K' " << share << " u/K " << u / K);
-        // The rounding of mc in 1 - m is not an error of the function, which is given both.
+        // The function receives both m and mc, so the rounding of 1 - m is not its error.
         const Reference r = by_definition(u, mc < 0.5 ? Real(1) - mc : Real(m),
                                           mc < 0.5 ? Real(mc) : Real(1) - m, a_prime);
         const auto v = jacobi.at(u);

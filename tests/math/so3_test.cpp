@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-// An entry of exp sums three terms of order one, and one of X^T X three more: nine roundings of
-// 1.1e-16 each, most of which cancel.
+// An entry of exp sums three terms of order one, and an entry of X^T X three more. That is nine
+// roundings of 1.1e-16 each, and most of them cancel.
 constexpr double round_off = 2e-15;
 
 Vector3d random_direction(std::mt19937_64& generator) {
@@ -48,7 +48,7 @@ TEST_P(So3AtAngle, ExpAgreesWithTheQuaternion) {
     const Vector3d axis = random_direction(generator);
     const Matrix3d expected =
         Eigen::Quaterniond(Eigen::AngleAxisd(GetParam(), axis)).toRotationMatrix();
-    // The axis is a unit vector to 1e-16, which an angle of 20 amplifies.
+    // The length of the axis is 1 to 1e-16. An angle of 20 amplifies this error.
     EXPECT_LE((exp(GetParam() * axis) - expected).cwiseAbs().maxCoeff(),
               round_off * std::max(1.0, GetParam()));
   }

@@ -1,4 +1,4 @@
-// What is said of meshes that bound no solid.
+// The errors and notes about meshes that do not bound a solid.
 #include "mesh/diagnosis.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ MeshFile read(const TriangleMesh& mesh, const ReadOptions& options = {.scale = 1
   return read_mesh(obj_of(mesh), "a.obj", options);
 }
 
-/// The error, and the remedy behind a bar.
+/// Returns the error and the remedy, separated by a bar.
 std::string refused(const TriangleMesh& mesh, const ReadOptions& options = {.scale = 1.0}) {
   try {
     read(mesh, options);
@@ -50,7 +50,7 @@ TEST(Diagnosis, OfAnOpenSurfaceNamesItsEdgesAndItsGap) {
                     HasSubstr("| close it; or make it a wall: shell = THICKNESS, in cm")));
 }
 
-// As the shape models of asteroids have them: each triangle at a pole has a pole of its own.
+// In shape models of asteroids, each triangle at a pole may have a separate vertex there.
 TEST(Diagnosis, OffersTheToleranceThatClosesAGap) {
   const TriangleMesh mesh = ball_with_open_poles(72, 36, 3e-7);
   try {
@@ -72,7 +72,7 @@ TEST(Diagnosis, OffersTheToleranceThatClosesAGap) {
 
 TEST(Diagnosis, OffersNoWeldingThatWouldFoldTheMesh) {
   TriangleMesh mesh = ball_with_open_poles(72, 36, 0);
-  mesh.triangles.erase(mesh.triangles.begin() + 300);  // a hole as large as its triangles
+  mesh.triangles.erase(mesh.triangles.begin() + 300);  // a hole of the size of a triangle
   EXPECT_THAT(refused(mesh), AllOf(HasSubstr("open at 3 edges"), HasSubstr("| close it; or")));
 }
 
@@ -91,7 +91,7 @@ TEST(Diagnosis, OfEdgesOfMoreThanTwoTriangles) {
   mesh.vertices.emplace_back(0.5, 0.5, 2);
   mesh.triangles.push_back({4, 5, 8});
   EXPECT_THAT(refused(mesh), HasSubstr("not manifold: more than two triangles meet at 1 edge, from "
-                                       "(0, 0, 1) to (1, 0, 1); besides, it is open at 2 edges"));
+                                       "(0, 0, 1) to (1, 0, 1); it is also open at 2 edges"));
   EXPECT_THAT(refused(joined(cube({0, 0, 0}, 1), cube({1, 1, 0}, 1))),
               HasSubstr("meet at 1 edge, from (1, 1, 0) to (1, 1, 1) |"));
 }
@@ -105,7 +105,7 @@ TEST(Diagnosis, OfTrianglesThatDisagree) {
 
 TEST(Diagnosis, TurnsOverWhatIsInsideOut) {
   const MeshFile file = read(turned(cube({0, 0, 0}, 1)));
-  EXPECT_THAT(file.notes, ElementsAre("it was inside out, and is turned over"));
+  EXPECT_THAT(file.notes, ElementsAre("it was inside out and has been turned over"));
   EXPECT_EQ(file.shape.integrals.volume, 1);
   const TriangleMesh hollow = joined(cube({0, 0, 0}, 3), turned(cube({1, 1, 1}, 1)));
   EXPECT_THAT(read(hollow).notes, IsEmpty()) << "a cavity";
@@ -141,7 +141,7 @@ TEST(Diagnosis, OfASurfaceThatPassesThroughItself) {
   EXPECT_THAT(refused(folded), HasSubstr("it intersects itself"));
 }
 
-/// A cylinder with a fan of very long triangles at each end.
+/// Returns a cylinder with a fan of very long triangles at each end.
 TriangleMesh cylinder(std::uint32_t sides) {
   TriangleMesh mesh;
   for (std::uint32_t i = 0; i < sides; ++i) {
@@ -159,7 +159,7 @@ TriangleMesh cylinder(std::uint32_t sides) {
 }
 
 TEST(Diagnosis, OfASurfaceThatEnclosesNothing) {
-  // The face joins every other one of seven points. Rounding leaves a small volume.
+  // The face connects every other one of seven points. Rounding leaves a small volume.
   std::string star;
   for (int i = 0; i < 7; ++i) {
     const double angle = 4 * i * 3.14159265358979 / 7;
@@ -172,13 +172,13 @@ TEST(Diagnosis, OfASurfaceThatEnclosesNothing) {
         refusal(star + faces, "a.obj"),
         "2 a.obj: it encloses no volume: its faces lie upon each other, or one crosses itself");
   }
-  // A sheet of a millionth of its size has a volume.
+  // A sheet with a thickness of a millionth of its size has a volume.
   TriangleMesh sheet = cube({0, 0, 0}, 1);
   for (Vector3d& vertex : sheet.vertices) vertex.z() *= 1e-6;
   EXPECT_EQ(refusal(obj_of(sheet), "a.obj"), "nothing");
 }
 
-// Needles that all cross a ball: each is close to nearly all others.
+// Needles that all cross a ball, so that each is close to nearly all others.
 TEST(Diagnosis, CountsItsWork) {
   std::mt19937 random(1);
   const auto point = [&] {
@@ -195,9 +195,9 @@ TEST(Diagnosis, CountsItsWork) {
   }
   const TriangleTree tree(needles);
   Allowance small(1'000'000), large(1'000'000'000);
-  EXPECT_TRUE(find_crossings(tree, small).given_up);
+  EXPECT_TRUE(find_crossings(tree, small).is_incomplete);
   EXPECT_TRUE(small.is_used_up());
-  EXPECT_FALSE(find_crossings(tree, large).given_up);
+  EXPECT_FALSE(find_crossings(tree, large).is_incomplete);
   Allowance none(0);
   none.take(1);
   EXPECT_FALSE(misplaced_component(tree, topology(needles), false, none));

@@ -21,7 +21,7 @@ using testing::FloatNear;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// The positions of a cube from 0 to 1, its indices, and a linear colour for each vertex.
+/// Returns the positions of a cube from 0 to 1, its indices, and a linear colour per vertex.
 std::string buffer() {
   const body::TriangleMesh mesh = cube({0, 0, 0}, 1);
   std::string bytes;
@@ -141,7 +141,7 @@ TEST(Gltf, WithoutASceneHasAllItsNodes) {
 }
 
 TEST(Gltf, ReadsStripsAndFansAndWhatHasNoIndices) {
-  // A tetrahedron as a strip of four triangles; with two triangles more, that have no area.
+  // A tetrahedron as a strip of four triangles and two more without area.
   json strip = document();
   std::string bytes;
   const std::array<std::array<float, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -189,7 +189,8 @@ TEST(Gltf, ReadsABufferOnceHoweverOftenItIsNamed) {
   EXPECT_THAT(file.others, ElementsAre(folder / "a.bin"));
 }
 
-// Repeated meshes are counted before they are built; the first would take minutes and gigabytes.
+// Repeated meshes are counted before they are built. Building the first one would take minutes and
+// gigabytes.
 TEST(Gltf, RefusesFarMoreTrianglesThanTheFileHasBytes) {
   json other = document();
   const json primitive = other["meshes"][0]["primitives"][0];
@@ -229,7 +230,7 @@ TEST(Gltf, OpensNothingElsewhere) {
   }
 }
 
-/// The document with one value changed, given by its JSON pointer.
+/// Returns the document with the value at a JSON pointer changed.
 std::string with(const std::string& pointer, const json& value) {
   json changed = document();
   changed[json::json_pointer(pointer)] = value;
@@ -247,7 +248,7 @@ TEST(Gltf, ThatIsBadIsRefusedWithThePlace) {
            {"/nodes/0/mesh", json(7), cannot + "meshes has 1 entries"},
            {"/nodes/0/children", json::array({0}),
             cannot + "nodes[0] is a child of more than one node"},
-           {"/nodes/0/matrix", json({1, 2}), cannot + "nodes[0].matrix has not 16 numbers"},
+           {"/nodes/0/matrix", json({1, 2}), cannot + "nodes[0].matrix must have 16 numbers"},
            {"/nodes/0/translation", json({1, 2, "x"}),
             cannot + "nodes[0].translation[2] is no number"},
            {"/nodes/0/scale", json({1e300, 1e300, 1e300}), "2 a.gltf: its integrals are beyond"},

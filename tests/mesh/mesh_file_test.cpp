@@ -29,7 +29,8 @@ TEST(MeshFile, HasItsIntegralsInCentimetres) {
   EXPECT_EQ(file.shape.surface->triangles.size(), 12U);
 }
 
-// The scale rounds each coordinate; far away that would be a millionth of a millionth of the body.
+// Scaling rounds each coordinate. Far from the origin, this would be a millionth of a millionth of
+// the body.
 TEST(MeshFile, IsAsExactInAnyUnitAndFarAway) {
   const body::TriangleMesh far = moved(ball_with_open_poles(24, 12, 0), {12345.678, -9e3, 3e4});
   const MeshFile in_cm = read_mesh(obj_of(far), "a.obj", {.scale = 1.0}),
@@ -49,7 +50,7 @@ TEST(MeshFile, IsKnownByItsNameInAnyCase) {
 }
 
 TEST(MeshFile, OfAnotherKindIsRefused) {
-  EXPECT_THAT(refusal(cube_obj(), "a.3ds"), StartsWith("2 a.3ds: its name does not end as"));
+  EXPECT_THAT(refusal(cube_obj(), "a.3ds"), StartsWith("2 a.3ds: its extension is not"));
   EXPECT_EQ(refusal("", "a.stl"), "5 cannot read a.stl: it is empty");
 }
 
@@ -74,9 +75,9 @@ TEST(MeshFile, RefusesOptionsThatCannotBe) {
                 StartsWith("2 shell: "));
   }
   EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1e100}),
-              HasSubstr("its inertia in g cm^2 is beyond"));
+              HasSubstr("its inertia in g cm^2 exceeds"));
   EXPECT_THAT(refusal(cube_obj(), "a.obj", {.scale = 1e-100}),
-              HasSubstr("its inertia in g cm^2 is beyond"));
+              HasSubstr("its inertia in g cm^2 exceeds"));
   EXPECT_EQ(refusal(cube_obj(), "a.obj", {.scale = 2.0, .weld = 0.04}),
             "2 weld: is 0.04 cm, but may be at most 0.0346, a hundredth of the size of the mesh");
   EXPECT_EQ(refusal(cube_obj(), "a.obj", {.scale = 1.0, .weld = 5e-324}), "nothing");

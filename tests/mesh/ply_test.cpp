@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A cube as PLY, with elements and properties that are passed over.
+/// Returns a cube as PLY, with elements and properties that are ignored.
 std::string ply(const std::string& format, std::endian order = std::endian::little) {
   const bool is_text = format == "ascii";
   const body::TriangleMesh mesh = cube({0, 0, 0}, 1);
@@ -56,7 +56,7 @@ TEST(Ply, IsReadInAllItsFormats) {
     ASSERT_EQ(file.shape.surface->colors.size(), 8U);
     EXPECT_THAT(file.shape.surface->colors[3], ElementsAre(1.0F, 0.2F, 0.0F));
     EXPECT_EQ(read_mesh(bytes, "a.stl", {.scale = 1.0}).shape.integrals.volume, 1) << "misnamed";
-    // Nobody can see that the last digits of a text are missing.
+    // Missing digits at the end of a text cannot be detected.
     const std::size_t most = bytes.size() - (order == std::endian::little ? 5 : 1);
     for (std::size_t size = 1; size < most; ++size) {
       const std::string part = refusal(bytes.substr(0, size), "a.ply");
@@ -82,7 +82,7 @@ TEST(Ply, ThatIsBadIsRefused) {
         {"vertex 8", "vertex x", "5 a.ply:7: 'x' is no number of elements"},
         {"face 12", "vertex 12", "5 cannot read a.ply: its header has two elements 'vertex'"},
         {"format ascii", "format text", "5 a.ply:2: 'text' is no format of PLY"},
-        {"format ascii", "comment", "5 a.ply:18: the header does not say"},
+        {"format ascii", "comment", "5 a.ply:18: the header has no"},
         {"comment", "commend", "5 a.ply:3: 'commend' is no keyword"},
         {"\n3 0 3 2 ", "\n3 0 3 8 ", "2 a.ply: face 0: it refers to vertex 8, but there are 8"},
         {"\n3 0 3 2 ", "\n3 0 3 -1 ", "2 a.ply: face 0: it refers to vertex -1"},

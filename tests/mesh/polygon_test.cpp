@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Ring = std::vector<Vector2d>;
 
-/// The triangles of a polygon in the plane, laid askew into space.
+/// Returns the triangles of a plane polygon that is placed obliquely in space.
 body::TriangleMesh triangulated(const Ring& ring) {
   const Eigen::Matrix3d frame =
       Eigen::AngleAxisd(2.0, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
@@ -36,14 +36,15 @@ body::TriangleMesh triangulated(const Ring& ring) {
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Twice the area, positive if the polygon is counter-clockwise.
+/// Returns twice the area, positive if the polygon is counter-clockwise.
 double doubled_area(const Ring& ring) {
   double sum = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) sum += cross(ring[i], ring[(i + 1) % ring.size()]);
   return sum;
 }
 
-/// How often an edge runs from one corner to another, less how often it runs back.
+/// Returns, for each edge of the border, how often triangles traverse it forwards minus how often
+/// backwards.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> border(const body::TriangleMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& triangle : mesh.triangles) {
@@ -56,8 +57,8 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> border(const body::Triang
   return edges;
 }
 
-/// Triangles that all look the polygon's way, are as large as it together and have its border lie
-/// within it, and on each other nowhere.
+/// Expects triangles with the polygon's orientation, total area and border. They then lie within it
+/// and do not overlap.
 void expect_tiled(const Ring& ring) {
   const body::TriangleMesh mesh = triangulated(ring);
   const double whole = doubled_area(ring);
@@ -112,7 +113,7 @@ TEST(Polygon, OfManyCornersAtAnyDistanceFromItsMiddleIsFilledWithin) {
   }
 }
 
-// A corner in the middle of a straight edge is one of the surface, and must stay one.
+// A corner in the middle of a straight edge is a vertex of the surface and must be kept.
 TEST(Polygon, WithCornersOnAStraightLineHasNoTriangleWithoutArea) {
   for (Ring ring : {Ring{{0, 0}, {1, 0}, {2, 0}, {2, 2}},
                     Ring{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {1, 2}, {0, 2}},
@@ -141,7 +142,8 @@ TEST(Polygon, ThatCrossesItselfOrHasNoAreaIsAFan) {
   }
 }
 
-// The area of the box around them underflows to 0, and the differences of the second to infinity.
+// The area of the bounding box underflows to 0 for the first size, and differences of coordinates
+// overflow for the second.
 TEST(Polygon, OfExtremeCoordinatesIsOfTrianglesOfItsCorners) {
   for (const double size : {1e-170, 1e308}) {
     body::TriangleMesh mesh;
@@ -163,7 +165,7 @@ TEST(Polygon, OfExtremeCoordinatesIsOfTrianglesOfItsCorners) {
   }
 }
 
-// A time-out tells of a search through all corners for each of them.
+// A time-out indicates that each corner is compared with all others.
 TEST(Polygon, OfVeryManyCornersIsFilledWithin) {
   constexpr int teeth = 15'000, corners = 100'000;
   Ring comb{{0, -1}, {2 * teeth, -1}};

@@ -9,8 +9,8 @@
 
 namespace twrench::mesh {
 
-/// What a file of these bytes is refused for: the exit code, and the message. "nothing" if it is
-/// not.
+/// Returns the exit code and the message with which a file of these bytes is rejected, or "nothing"
+/// if it is accepted.
 inline std::string refusal(const std::string& bytes, const std::string& name,
                            const ReadOptions& options = {.scale = 1.0}) {
   try {

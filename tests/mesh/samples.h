@@ -14,13 +14,13 @@
 
 namespace twrench::mesh {
 
-/// The cube from 0 to 1 as six quadrilaterals.
+/// Returns the cube from 0 to 1 as six quadrilaterals.
 inline std::string cube_obj() {
   return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
          "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 }
 
-/// The same cube of another size at another place, as twelve triangles.
+/// Returns a cube with its least corner at `at`, as twelve triangles.
 inline body::TriangleMesh cube(const Eigen::Vector3d& at, double size) {
   body::TriangleMesh mesh;
   for (const auto& [x, y, z] : std::to_array<std::array<double, 3>>({{0, 0, 0},
@@ -60,8 +60,8 @@ inline body::TriangleMesh moved(body::TriangleMesh mesh, const Eigen::Vector3d& 
   return mesh;
 }
 
-/// The unit ball as a grid of longitudes and latitudes. Each triangle at a pole has a vertex of its
-/// own there, `gap` from the next one.
+/// Returns the unit ball as a grid of longitudes and latitudes. At a pole, each triangle has a
+/// separate vertex, `gap` from the next one.
 inline body::TriangleMesh ball_with_open_poles(std::uint32_t longitudes, std::uint32_t bands,
                                                double gap) {
   using std::numbers::pi;
@@ -98,7 +98,7 @@ inline std::string obj_of(const body::TriangleMesh& mesh) {
   return text;
 }
 
-/// Appends a number, the least significant byte first or last.
+/// Appends a number in the given byte order.
 template <typename Number>
 void append(std::string& bytes, Number number, std::endian order = std::endian::little) {
   auto own = std::bit_cast<std::array<char, sizeof(Number)>>(number);

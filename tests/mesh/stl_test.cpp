@@ -56,7 +56,7 @@ TEST(Stl, TextWithoutLineEndsIsNoDamagedBinary) {
             "5 cannot read a.stl: it begins as a text STL, but no line begins with 'facet'");
 }
 
-// No memory is taken for what a header claims.
+// No memory is allocated for the number of triangles that a header claims.
 TEST(Stl, ThatClaimsFourGigabytesIsRefused) {
   std::string bytes = binary_stl(unit_cube);
   bytes.replace(80, 4, "\xff\xff\xff\xff");

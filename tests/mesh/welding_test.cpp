@@ -16,7 +16,7 @@ using body::TriangleMesh;
 using Eigen::Vector3d;
 using testing::ElementsAre;
 
-/// The mesh with three vertices of its own for each triangle, each moved by less than `by`.
+/// Returns the mesh with three separate vertices for each triangle, each moved by less than `by`.
 TriangleMesh exploded(const TriangleMesh& mesh, double by) {
   std::mt19937 random(5);
   const auto part = [&] { return by * (static_cast<double>(random()) * 0x1p-32 - 0.5); };
@@ -31,7 +31,7 @@ TriangleMesh exploded(const TriangleMesh& mesh, double by) {
   return soup;
 }
 
-// They would take hours: each would be compared with all others.
+// Comparing each with all others would take hours.
 TEST(Weld, RefusesVerticesThatAreAllCloseToEachOther) {
   std::mt19937 random(5);
   const auto part = [&] { return static_cast<double>(random()) * 0x1p-32; };

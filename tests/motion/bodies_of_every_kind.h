@@ -11,12 +11,12 @@ struct BodyOfAKind {
   Eigen::Vector3d moments, omega;
 };
 
-/// Random bodies, and those at and near every boundary between cases.
+/// Returns random bodies and bodies at and near every boundary between cases.
 inline std::vector<BodyOfAKind> bodies_of_every_kind() {
   std::vector<BodyOfAKind> bodies = {{{1, 4, 6}, {2, 0, 1}},                // on the separatrix
-                                     {{1, 4, 6}, {2, -0.7, 1}},             // on it, and on its way
+                                     {{1, 4, 6}, {2, -0.7, 1}},             // on it, already moving
                                      {{1, 2, 3}, {1e-8, 1, 0}},             // 1e-16 from it
-                                     {{1, 2, 3}, {0, 1, 3e-8}},             // and on the other side
+                                     {{1, 2, 3}, {0, 1, 3e-8}},             // on the other side
                                      {{1, 2, 3}, {1e-150, 1, 0}},           //
                                      {{1, 2, 2}, {1, 0.3, -0.2}},           // symmetric, prolate
                                      {{2, 2, 3}, {0.4, -0.1, 1}},           // oblate

@@ -1,4 +1,4 @@
-// What each method conserves and what not, measured and compared with its description.
+// Measures what each method conserves and compares it with the method's description.
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/diagnostics.h>
@@ -22,7 +22,7 @@ class Conservation : public testing::TestWithParam<Method> {
 
 INSTANTIATE_TEST_SUITE_P(All, Conservation, every_method(), method_test_name);
 
-/// The largest |energy drift| of `steps` steps of h.
+/// Returns the largest |energy drift| of `steps` steps of h.
 double energy_drift(const FreeBody& body, const Method& method, double h, int steps) {
   const double start = 0.5 * body.momentum().dot(body.inverse() * body.momentum());
   Matrix3d X = Matrix3d::Identity();
@@ -58,7 +58,7 @@ TEST_P(Conservation, OrthogonalityAndMomentumUnlessLinear) {
 }
 
 TEST_P(Conservation, ReversibleWhereClaimedAndOnlyThere) {
-  const double h = GetParam().order.value_or(0) > 4 ? 2 : 0.2;  // where it has a visible error
+  const double h = GetParam().order.value_or(0) > 4 ? 2 : 0.2;  // so that the error is visible
   const Matrix3d X = take_step(body_, GetParam(), Matrix3d::Identity(), h).X;
   const Matrix3d back = take_step(body_, GetParam(), X, -h).X;
   const double missed = (back - Matrix3d::Identity()).norm();
@@ -69,7 +69,7 @@ TEST_P(Conservation, ReversibleWhereClaimedAndOnlyThere) {
   }
 }
 
-// A splitting's energy error oscillates but does not grow, because the map is Poisson: it is as
+// A splitting's energy error oscillates but does not grow, because the map is Poisson. It is as
 // large over ten thousand steps as over the first thousand.
 TEST(Strang, EnergyErrorStaysBounded) {
   const FreeBody body(Vector3d(1, 2, 3).asDiagonal(), {0.3, 1.1, -0.4});
@@ -79,7 +79,7 @@ TEST(Strang, EnergyErrorStaysBounded) {
   EXPECT_GT(energy_drift(body, rk4, 0.1, 10'000), 2 * energy_drift(body, rk4, 0.1, 1000));
 }
 
-// The inertia need not be diagonal in the body's axes: the same motion in rotated ones.
+// The inertia need not be diagonal in the body's axes. The motion must be the same in rotated axes.
 TEST_P(Conservation, DoesNotDependOnTheBodysAxes) {
   const Matrix3d R = so3::exp(Vector3d(0.4, -0.9, 0.5));  // body_from_turned
   const Matrix3d inertia = R.transpose() * body_.inertia() * R;

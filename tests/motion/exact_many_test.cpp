@@ -146,13 +146,13 @@ TEST(ExactMany, NamesWhatIsWrongAndWhere) {
            {{1, 2}, spin, t, 36, 12, "inertia: has 2 numbers, but must have 6"},
            {good, spin, t, 35, 12, "samples.X: has 35 numbers, but must have 36"},
            {good, spin, t, 36, 11, "samples.omega: has 11 numbers, but must have 12"},
-           {{1, 2, 3, 1e-320, 2, 3}, spin, t, 36, 12, "inertia[1]: its inverse is beyond"},
+           {{1, 2, 3, 1e-320, 2, 3}, spin, t, 36, 12, "inertia[1]: its inverse exceeds"},
            {good,
             {1, 1, 1, 1e308, 1e308, 1e308},
             t,
             36,
             12,
-            "omega[1]: the angular momentum is"}}) {
+            "omega[1]: the angular momentum exceeds"}}) {
     Numbers X(m.X_size), velocities(m.velocities_size);
     try {
       exact_many({m.inertia, m.omega}, m.times, {X, velocities});

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 FreeBody body_of(const BodyOfAKind& b) { return FreeBody(b.moments.asDiagonal(), b.omega); }
 
-/// Both signs, in no order, from the start to where no digit of the angle is left.
+/// Returns unordered times of both signs, from the start to where the angle has no digits left.
 std::vector<double> times_of_every_size(const Vector3d& omega) {
   const double unit = omega.norm() > 0 ? 1 / omega.norm() : 1;
   std::vector<double> times{0, 1e300, -1e300, -0.0};
@@ -65,7 +65,7 @@ TEST(ExactSamples, HaveTheBitsOfEachAlone) {
   }
 }
 
-// A register that is not full must not be computed differently.
+// A partly filled vector register must give the same result.
 TEST(ExactSamples, DoNotDependOnHowManyThereAreNorOnTheirPlace) {
   for (const Vector3d& omega : {Vector3d(0.01, 1, 0.02), Vector3d(1, 0.5, 0.2)}) {
     const ExactMotion motion(FreeBody(Vector3d(1, 2, 3).asDiagonal(), omega));
@@ -104,7 +104,7 @@ TEST(ExactSamples, AgreeWithEveryReference) {
   }
 }
 
-/// Two uniform rotations, by angles with digits to spare.
+/// Returns the product of two uniform rotations, with their angles computed in higher precision.
 Matrix3d symmetric_motion(const Vector3d& moments, const Vector3d& omega, double t) {
   const auto turned = [t](double rate) {
     constexpr long double turn = 2 * std::numbers::pi_v<long double>;

@@ -27,10 +27,11 @@ ExactMotion exact(const Vector3d& moments, const Vector3d& omega) {
   return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
-/// The accuracy of an angle after a rotation by |omega| t, in units of its rounding.
+/// Returns the rounding of an angle after a rotation by |omega| t, relative to that of an angle of
+/// 1 rad.
 double turned(const Vector3d& omega, double t) { return std::max(1.0, omega.norm() * std::abs(t)); }
 
-/// About ten roundings: a hundredth of the promised 1e-13, twice the largest observed.
+/// About ten roundings: a fiftieth of the promised 1e-13 and twice the largest observed error.
 constexpr double tight = 2e-15;
 
 template <typename Reference>
@@ -45,7 +46,7 @@ void expect_agrees(const Vector3d& moments, const Vector3d& omega, double t, Ref
   EXPECT_LT((sample.omega - reference.omega()).norm(), bound * omega.norm());
 }
 
-// Fast where the processor has more digits than double, as on x86; not every long double has them.
+// A long double is fast, but has more digits than a double only on some processors, such as x86.
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 constexpr bool long_double_is_wide = std::numeric_limits<long double>::digits >= 64;
 using Wide = TaylorMotion<std::conditional_t<long_double_is_wide, long double, Quad>, 22>;
@@ -159,7 +160,7 @@ TEST(ExactMotion, OnTheSeparatrixTheBodyComesToRestOnItsIntermediateAxis) {
   EXPECT_LT((late.omega.cwiseAbs() - Vector3d(0, speed, 0)).norm(), 1e-15);
   EXPECT_LT((late.omega + early.omega).norm(), 1e-15);
   const Sample later = motion.at(1e6 + 1);
-  EXPECT_LT((later.X - late.X * so3::exp(late.omega)).norm(), 1e-9);  // 1e6 radians, rounded
+  EXPECT_LT((later.X - late.X * so3::exp(late.omega)).norm(), 1e-9);  // rounding of 1e6 radians
 }
 
 TEST(ExactMotion, BeginsAtTheIdentity) {
@@ -198,7 +199,7 @@ TEST(ExactMotion, GoesOnFromWhereItWas) {
     const ExactMotion motion = exact(moments, omega);
     const Sample first = motion.at(t1);
     const Sample second = exact(moments, first.omega).at(t2);
-    // The motion amplifies the rounding of omega(t1): far less accurate than a sample itself.
+    // The motion amplifies the rounding of omega(t1), so this is far less accurate than a sample.
     EXPECT_LT((motion.at(t1 + t2).X - first.X * second.X).norm(), 1e-12);
   }
 }
@@ -211,7 +212,7 @@ TEST(ExactMotion, DoesNotDependOnHowTheAxesAreNamed) {
     std::array<int, 3> order{0, 1, 2};
     do {
       for (int signs = 0; signs < 8; ++signs) {
-        Matrix3d M = Matrix3d::Zero();  // a mirror image as often as not: omega is axial
+        Matrix3d M = Matrix3d::Zero();  // half of them are mirror images, because omega is axial
         for (int i = 0; i < 3; ++i) {
           M(i, order[static_cast<std::size_t>(i)]) = (signs >> i) % 2 == 0 ? 1 : -1;
         }
@@ -239,8 +240,8 @@ TEST(ExactMotion, TakesAnInertiaThatIsNotDiagonal) {
   }
 }
 
-// Where the product of two small differences underflowed, the phase became infinite.
-// The sum over parts leaves such products, which are lost beside the moments.
+// Summing over parts leaves products of inertia of this size. They are below the rounding of the
+// moments.
 TEST(ExactMotion, SpinsAboutTheEquatorOfASymmetricBodyWhoseAxesAreTurnedByLessThanARounding) {
   Matrix3d inertia = Vector3d(64, 1, 64).asDiagonal();
   inertia(0, 1) = inertia(1, 0) = -7e-15;
@@ -250,6 +251,7 @@ TEST(ExactMotion, SpinsAboutTheEquatorOfASymmetricBodyWhoseAxesAreTurnedByLessTh
   EXPECT_EQ(sample.omega, omega);
 }
 
+// An underflow of the product of two small differences would make the phase infinite.
 TEST(ExactMotion, NothingUnderflowsOfASmallBodyThatIsNearlyASphere) {
   for (const double mass : {1e-300, 1e-44, 1.0, 1e44, 1e300}) {
     const Vector3d moments = mass * Vector3d(1, 1.000000001055, 1.0000000005274);

@@ -19,7 +19,7 @@ ExactMotion exact_motion(const Vector3d& moments, const Vector3d& omega) {
   return ExactMotion(FreeBody(moments.asDiagonal(), omega));
 }
 
-// A list of them would exhaust the memory.
+// A list of all flips would exhaust the memory.
 TEST(Flips, MoreThanCanBeListedAreRefused) {
   const ExactMotion fast = exact_motion({1, 2, 3}, {1e12, 1e11, 1});
   EXPECT_THROW(fast.flip_times(1e9), MotionError);
@@ -46,14 +46,14 @@ TEST(Flips, OfTheWrench) {
   const auto flips = ExactMotion(reference_case("wrench-a").body).flips();
   ASSERT_TRUE(flips);
   EXPECT_NEAR(flips->interval, 23.630725246383427, 1e-13);
-  EXPECT_NEAR(flips->first, 23.630725246383427 / 2, 1e-13);  // it starts halfway between two flips
+  EXPECT_NEAR(flips->first, 23.630725246383427 / 2, 1e-13);  // starts halfway between two flips
   EXPECT_NEAR(flips->asymptotic_interval, 23.618730497761169, 1e-13);
   EXPECT_GT(flips->swing, 3.0);
   EXPECT_LT(ExactMotion(reference_case("wrench-b").body).flips()->swing, 0.4);
   EXPECT_LT(ExactMotion(reference_case("wrench-c").body).flips()->swing, 0.1);
 }
 
-// The formulas that the report prints, with the standard library's elliptic integrals of the
+// The formulas in the report, evaluated with the standard library's elliptic integrals of the
 // modulus.
 TEST(Flips, FollowFromMomentsAndEnergy) {
   for (const ReferenceCase& reference : reference_cases()) {
@@ -97,7 +97,7 @@ TEST(Flips, AreWhereTheIntermediateComponentChangesSign) {
       bounds.push_back(t);
     }
     bounds.push_back(end);
-    // Between two flips there is no other: the sign is constant, and alternates.
+    // Between flips the sign is constant, and it alternates.
     double sign = std::copysign(1.0, omega[1]);
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
       for (const double share : {0.02, 0.5, 0.98}) {

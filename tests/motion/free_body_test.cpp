@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 static_assert(!std::is_default_constructible_v<FreeBody>);
 
-/// The error that the body is refused with; `Kind` is its type.
+/// Returns the error of type `Kind` with which the body is rejected.
 template <typename Kind>
 std::optional<Kind> refusal(const Matrix3d& inertia, const Vector3d& omega) {
   try {

@@ -14,14 +14,14 @@ double sum(const TableauRow& row) {
   return total;
 }
 
-/// The nodes c_k = sum_j a_kj.
+/// Returns the nodes c_k = sum_j a_kj.
 TableauRow nodes(const Tableau& tableau) {
   TableauRow c{};
   for (std::size_t k = 0; k < c.size(); ++k) c[k] = sum(tableau.a[k]);
   return c;
 }
 
-/// sum_k b_k c_k^power, which is 1/(power + 1) for a tableau of order power + 1.
+/// Returns sum_k b_k c_k^power, which is 1/(power + 1) for a tableau of order power + 1.
 double quadrature(const TableauRow& weights, const TableauRow& c, int power) {
   double total = 0;
   for (std::size_t k = 0; k < c.size(); ++k) total += weights[k] * std::pow(c[k], power);
@@ -69,8 +69,8 @@ TEST(Method, FehlbergsPair) {
   }
 }
 
-// The condition sum b_i a_ij c_j = 1/6, and its companions of order 4, which the quadrature
-// conditions do not imply: they reveal a wrong digit inside `a`.
+// The condition sum b_i a_ij c_j = 1/6 and its companions of order 4. The quadrature conditions do
+// not imply them; they reveal a wrong digit inside `a`.
 TEST(Method, CoupledConditionsOfTheFourthOrderTableaus) {
   for (const char* name : {"rk4", "rkf45"}) {
     const Tableau& t = tableau_of(find_method(name));

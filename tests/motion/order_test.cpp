@@ -1,4 +1,4 @@
-// Orders are measured: the slope of the error of X(20) on the T-wrench against the step size, with
+// Measures orders as the slope of the error of X(20) of the T-wrench against the step size, with
 // the 25-digit reference.
 #include <gtest/gtest.h>
 #include <twrench/motion/exact.h>
@@ -13,7 +13,7 @@
 namespace twrench::motion {
 namespace {
 
-/// Frobenius error of X(20) after `steps` equal steps.
+/// Returns the Frobenius error of X(20) after `steps` equal steps.
 double error_after(const Method& method, int steps) {
   static const ReferenceCase wrench = reference_case("wrench-a");
   const Sample& end = wrench.samples[3];
@@ -24,14 +24,14 @@ double error_after(const Method& method, int steps) {
 
 class MethodOrder : public testing::TestWithParam<Method> {};
 
-// `rk4` and `rkf45` are second order here, which is not an error of the code: sections 4.4 and 4.5
-// use one exponential of the averaged stage velocities and thus omit their commutators, the first
-// of which is (h^3/12) omega x omega'. Only the tableaus are of order 4 and 5.
+// `rk4` and `rkf45` are of second order here, which is not an error of the code. Sections 4.4 and
+// 4.5 use one exponential of the averaged stage velocities and thus omit their commutators, the
+// first of which is (h^3/12) omega x omega'. Only the tableaus are of order 4 and 5.
 TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const Method& method = GetParam();
   if (method.exact()) GTEST_SKIP() << "no step, no order";
   if (*method.order > 4) GTEST_SKIP() << "no slope over so many steps; see TaylorOrder";
-  // From where the slope is asymptotic to where round-off flattens it.
+  // The steps range from where the slope is asymptotic to where round-off flattens it.
   const int coarsest = method.order == 1 ? 6400 : 800;
   constexpr double round_off = 1e-12;
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -46,20 +46,21 @@ TEST_P(MethodOrder, IsTheSlopeOfTheError) {
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   RecordProperty("slope", std::to_string(slope));
   std::printf("%s: order %.3f\n", std::string(method.name).c_str(), slope);
-  // The slope exceeds the order by the weight of the next error term (Fehlberg's first is small),
-  // and is not below it.
+  // The slope may exceed the order because of the next error term (Fehlberg's first one is small),
+  // but is not below it.
   EXPECT_GT(slope, *method.order - 0.1);
   EXPECT_LT(slope, *method.order + 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MethodOrder, every_method(), method_test_name);
 
-/// The order at which a series is truncated, and a step size in s whose error is well above
+/// The order at which a series is truncated and a step size in s whose error is well above
 /// round-off.
 class TaylorOrder : public testing::TestWithParam<std::pair<int, double>> {};
 
-// Between round-off and the pole of the motion, such a high order is visible only in single steps,
-// whose error scales as h^(order + 1). The recurrence does not know where it will be truncated.
+// Between round-off and the pole of the motion, such a high order is only visible in single steps,
+// whose error scales as h^(order + 1). Low orders test the same recurrence, because it does not
+// depend on where it is truncated.
 TEST_P(TaylorOrder, IsTheSlopeOfTheLocalError) {
   const auto [order, h] = GetParam();
   Method method = find_method("taylor");

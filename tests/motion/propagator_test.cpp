@@ -40,7 +40,7 @@ TEST_P(EveryPropagator, SamplesAreThoseOfTheTrajectoryInEitherDirection) {
 }
 
 TEST_P(EveryPropagator, StartsAtWhatWasGiven) {
-  // A velocity that I^-1 (I omega) does not give back.
+  // A velocity that I^-1 (I omega) does not reproduce exactly.
   const FreeBody body(body_.inertia(), {1.0, 0.05, 1e-3});
   const double energy_at_start = energy(body.inertia(), body.omega());
   const std::vector<double> times{-0.3, 0.0, 0.3, 0.0};

@@ -6,7 +6,8 @@
 
 namespace twrench::motion {
 
-/// Physically possible bodies (the triangle inequality holds), from needles to plates, of any size.
+/// Random physically possible bodies (the triangle inequality holds), from needles to plates, of
+/// any size.
 class RandomBodies {
  public:
   Eigen::Vector3d moments() {

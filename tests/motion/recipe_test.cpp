@@ -1,5 +1,5 @@
-// "Add a method" of CONTRIBUTING.md, followed here as a stranger would: a method is data, and needs
-// nothing of the program but a line in its list.
+// Follows "Add a method" in CONTRIBUTING.md as a newcomer would. A method is data, and the program
+// only needs a line in its list.
 #include <gtest/gtest.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
@@ -32,7 +32,7 @@ constexpr Method rkmk3{"rkmk3",
                        "Munthe-Kaas, Appl. Numer. Math. 29 (1999)",
                        "Heun's method of order 3 with the commutator correction"};
 
-/// Frobenius error of X(20) of the T-wrench, in steps of `step` s.
+/// Returns the Frobenius error of X(20) of the T-wrench, in steps of `step` s.
 double error_with(double step) {
   const FreeBody wrench = reference_case("wrench-a").body;
   const std::array times{20.0};
@@ -55,7 +55,7 @@ TEST(MethodRecipe, GivesAMethodThatStaysOnTheGroup) {
   EXPECT_LE((X.transpose() * X - Eigen::Matrix3d::Identity()).norm(), 1e-10);
 }
 
-// The last step of the recipe, for those that are there.
+// The last step of the recipe, for the existing methods.
 TEST(MethodRecipe, HasARowAndAParagraphInTheDocumentForEachMethod) {
   std::ifstream file(TWRENCH_TESTS_DIR "/../docs/methods.md");
   std::ostringstream text;

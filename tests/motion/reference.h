@@ -11,7 +11,7 @@
 
 namespace twrench::motion {
 
-/// A motion known to 25 digits, from a 60-digit Taylor method whose energy and momentum hold to
+/// A motion known to 25 digits, from a 60-digit Taylor method that conserves energy and momentum to
 /// 1e-30. X(0) = Id, and the inertia is diagonal.
 struct ReferenceCase {
   std::string name;
@@ -32,24 +32,41 @@ inline Eigen::Vector3d vector_of(const nlohmann::json& v) {
   return {digits(v[0]), digits(v[1]), digits(v[2])};
 }
 
-inline std::vector<ReferenceCase> reference_cases() {
-  std::ifstream file(TWRENCH_TESTS_DIR "/reference/trajectories.json");
+inline Eigen::Matrix3d matrix_of(const nlohmann::json& rows) {
+  Eigen::Matrix3d matrix;
+  for (int row = 0; row < 3; ++row) matrix.row(row) = vector_of(rows[std::size_t(row)]);
+  return matrix;
+}
+
+/// Reads cases whose inertia is three moments or a matrix, and which may have a wheel ("rotor") and
+/// an energy loss ("tau").
+inline std::vector<ReferenceCase> cases_of(const std::string& name) {
+  std::ifstream file(TWRENCH_TESTS_DIR "/reference/" + name);
   std::vector<ReferenceCase> cases;
   for (const auto& c : nlohmann::json::parse(file)) {
-    const Eigen::Vector3d moments =
-        vector_of(c.contains("inertia_values_g_cm2") ? c["inertia_values_g_cm2"] : c["inertia"]);
+    const auto& given =
+        c.contains("inertia_values_g_cm2") ? c["inertia_values_g_cm2"] : c["inertia"];
+    const Eigen::Matrix3d inertia =
+        given[0].is_array() ? matrix_of(given) : Eigen::Matrix3d(vector_of(given).asDiagonal());
     const Eigen::Vector3d omega0 = vector_of(c["omega0"]);
-    ReferenceCase reference{c["name"], FreeBody(moments.asDiagonal(), omega0), omega0, {}};
+    Interior interior;
+    if (c.contains("rotor")) interior.wheel = vector_of(c["rotor"]);
+    if (c.contains("tau")) interior.energy_loss_time = digits(c["tau"]);
+    const FreeBody body(inertia, omega0, Eigen::Matrix3d::Identity(), interior);
+    ReferenceCase reference{c["name"], body, omega0, {}};
     for (const auto& s : c["samples"]) {
-      Sample sample{s["t"], {}, vector_of(s["omega"])};
-      for (int row = 0; row < 3; ++row) {
-        sample.X.row(row) = vector_of(s["X"][static_cast<std::size_t>(row)]);
-      }
-      reference.samples.push_back(sample);
+      reference.samples.push_back({s["t"], matrix_of(s["X"]), vector_of(s["omega"])});
     }
     cases.push_back(std::move(reference));
   }
   return cases;
+}
+
+inline std::vector<ReferenceCase> reference_cases() { return cases_of("trajectories.json"); }
+
+/// Motions with a wheel, with energy loss and with both, to 20 digits, from an independent program.
+inline std::vector<ReferenceCase> constant_momentum_cases() {
+  return cases_of("constant_momentum.json");
 }
 
 inline ReferenceCase reference_case(const std::string& name) {

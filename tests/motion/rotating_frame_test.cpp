@@ -1,4 +1,4 @@
-// The forces in a frame, held against differences of the positions that the closed form gives.
+// Compares the forces in a frame with finite differences of the positions from the closed form.
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
@@ -38,7 +38,7 @@ struct Derivatives {
   Vector3d first, second;
 };
 
-/// The central differences of order 20, whose weights follow from those of the interpolating
+/// Returns the central differences of order 20. Their weights follow from the interpolating
 /// polynomial.
 Derivatives differences(const std::function<Vector3d(double)>& place, double t, double h) {
   constexpr int reach = 10;
@@ -55,7 +55,7 @@ Derivatives differences(const std::function<Vector3d(double)>& place, double t, 
   return sum;
 }
 
-/// A rate, in rad/s, that nothing in the motion exceeds by much.
+/// Returns a rate in rad/s that nothing in the motion exceeds by much.
 double fastest(const FreeBody& body) {
   const Vector3d& moments = body.principal().moments;
   return body.omega().norm() + body.momentum().norm() / moments[1];
@@ -194,7 +194,7 @@ TEST(RotatingFrame, TheTorquesOnThePartsAreTheIntegrals) {
     const Torques sum = torques(parts, properties.centre_of_mass, FrameForces(frame, body, sample));
     const Matrix3d R = frame.attitude.transpose() * sample.X;
     const Matrix3d I = R * body.inertia() * R.transpose();
-    const Vector3d u = R * sample.omega - frame.omega;  // of the body in the frame
+    const Vector3d u = R * sample.omega - frame.omega;  // of the body relative to the frame
     const double size = body.inertia().norm();
     EXPECT_LE((sum.centrifugal + frame.omega.cross(I * frame.omega)).norm(), 1e-14 * size) << name;
     EXPECT_LE((sum.euler + I * frame.alpha).norm(), 1e-14 * size) << name;

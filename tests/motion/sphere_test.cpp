@@ -1,4 +1,4 @@
-// Task 2: I = Id, X(0) = Id, L = e_x; then X(t) = exp(t hat(e_x)) exactly.
+// Task 2: with I = Id, X(0) = Id and L = e_x, the solution is exactly X(t) = exp(t hat(e_x)).
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/stepper.h>
@@ -23,7 +23,7 @@ double error_at_end(const Method& method, int steps) {
   return (end.X - so3::exp(t * Vector3d::UnitX())).norm();
 }
 
-// Tasks 3 and 4: on the sphere omega is constant, so that every method on the group is exact.
+// Tasks 3 and 4: omega of a sphere is constant, so every method on the group is exact.
 TEST(Sphere, EveryLieMethodIsExact) {
   for (const Method& method : methods()) {
     if (method.linear()) continue;

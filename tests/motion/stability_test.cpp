@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 using std::numbers::ln2;
 using std::numbers::pi;
 
+constexpr auto least = body::PrincipalAxes::least, intermediate = body::PrincipalAxes::intermediate,
+               greatest = body::PrincipalAxes::greatest;
+
 const Vector3d t_wrench(722.6710300807721, 982.2713030224087, 1578.650308428871);  // y, x, z
 
 FreeBody wrench(const Vector3d& omega) {
@@ -25,11 +28,12 @@ FreeBody wrench(const Vector3d& omega) {
 }
 
 TEST(Stability, OfTheTWrench) {
-  const Stability about_x = stability(t_wrench, 1, 1);
+  const Stability about_x = stability(t_wrench, intermediate, 1);
   EXPECT_EQ(about_x.kind, Stability::Kind::unstable);
   EXPECT_NEAR(about_x.rate, 0.3684, 5e-5);
   EXPECT_NEAR(about_x.doubling_time(), 1.88, 5e-3);
-  const Stability about_y = stability(t_wrench, 0, 1), about_z = stability(t_wrench, 2, 1);
+  const Stability about_y = stability(t_wrench, least, 1),
+                  about_z = stability(t_wrench, greatest, 1);
   EXPECT_EQ(about_y.kind, Stability::Kind::stable);
   EXPECT_NEAR(about_y.period(), 16.6, 0.05);
   EXPECT_EQ(about_z.kind, Stability::Kind::stable);
@@ -39,8 +43,9 @@ TEST(Stability, OfTheTWrench) {
 TEST(Stability, IsThatOfTheLinearisedEquations) {
   RandomBodies random;
   for (int n = 0; n < 100; ++n) {
-    const Vector3d I = random.moments();
-    for (int k = 0; k < 3; ++k) {
+    Vector3d I = random.moments();
+    std::ranges::sort(I);
+    for (const auto k : body::PrincipalAxes::all) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       const double square = 4 * (I[j] - I[k]) * (I[k] - I[i]) / (I[i] * I[j]);
       const auto [kind, rate] = stability(I, k, -2);
@@ -53,22 +58,22 @@ TEST(Stability, IsThatOfTheLinearisedEquations) {
 TEST(Stability, IsNeutralWhereAMomentIsNotSingle) {
   for (const Vector3d& moments :
        {Vector3d(1, 1, 2), Vector3d(1, 1 + 1e-15, 2), Vector3d(2, 2, 2)}) {
-    EXPECT_EQ(stability(moments, 0, 1).kind, Stability::Kind::neutral);
-    EXPECT_EQ(stability(moments, 0, 1).rate, 0);
-    EXPECT_EQ(stability(moments, 1, 1).kind, Stability::Kind::neutral);
+    EXPECT_EQ(stability(moments, least, 1).kind, Stability::Kind::neutral);
+    EXPECT_EQ(stability(moments, least, 1).rate, 0);
+    EXPECT_EQ(stability(moments, intermediate, 1).kind, Stability::Kind::neutral);
   }
-  EXPECT_EQ(stability({1, 1, 2}, 2, 1).kind, Stability::Kind::stable);
-  EXPECT_EQ(stability({1, 2, 3}, 1, 0).kind, Stability::Kind::neutral) << "at rest";
+  EXPECT_EQ(stability({1, 1, 2}, greatest, 1).kind, Stability::Kind::stable);
+  EXPECT_EQ(stability({1, 2, 3}, intermediate, 0).kind, Stability::Kind::neutral) << "at rest";
 }
 
 TEST(Tilt, GrowsAsPredicted) {
-  // From 2e-9 to 2e-3 rad: far beyond where the dying part matters, and still small.
+  // From 2e-9 to 2e-3 rad, where the decaying part no longer matters and the tilt is still small.
   for (const Vector3d& sideways : {Vector3d(0, 2e-9, 0), Vector3d(0, 0, 3e-9),
                                    Vector3d(0, -1e-9, 2e-9), Vector3d(0, 2e-9, 1e-9)}) {
     for (const double spin : {1.0, -1.7}) {
       const FreeBody body = wrench(Vector3d(spin, 0, 0) + sideways);
       const Tilt tilt(body);
-      ASSERT_EQ(tilt.axis(), 1);
+      ASSERT_EQ(tilt.axis(), intermediate);
       const auto growth = tilt.growth();
       ASSERT_TRUE(growth);
       const ExactMotion motion(body);
@@ -92,10 +97,10 @@ TEST(Tilt, DoublesInTheDoublingTime) {
 TEST(Tilt, OfAStableSpinHasThePredictedPeriod) {
   const FreeBody body = wrench({1e-6, 1, 2e-6});
   const Tilt tilt(body);
-  EXPECT_EQ(tilt.axis(), 0);
+  EXPECT_EQ(tilt.axis(), least);
   EXPECT_FALSE(tilt.growth());
   const ExactMotion motion(body);
-  const double period = stability(t_wrench, 0, tilt.steady_rate()).period();
+  const double period = stability(t_wrench, least, tilt.steady_rate()).period();
   for (const double t : {0.0, 3.0, 10.0}) {
     EXPECT_NEAR(tilt.of(motion.at(t + period)), tilt.of(motion.at(t)), 1e-11);
   }
@@ -125,7 +130,7 @@ TEST(Tilt, GrowsWhereTheBodyTurnsInItsDirection) {
     const Sample sample = ExactMotion(body).at(3);
     const Vector3d direction = tilt.direction(sample);
     EXPECT_NEAR(direction.norm(), 1, 1e-14);
-    // Turned by an angle in its own axes, with L where it is.
+    // The body is turned by an angle about its own axes; L is unchanged.
     Sample turned = sample;
     turned.X = sample.X * so3::exp(0.01 * direction);
     turned.omega = body.inverse() * turned.X.transpose() * body.momentum();
@@ -135,7 +140,7 @@ TEST(Tilt, GrowsWhereTheBodyTurnsInItsDirection) {
   EXPECT_EQ(Tilt(steady).direction(ExactMotion(steady).at(1)), Vector3d::Zero());
 }
 
-// The sums that docs/theory.md lists: of the leg, of the handle, and the rate of growth of both.
+// The sums in docs/theory.md: of the leg, of the handle, and the growth rate of both together.
 TEST(Tilt, OfTheTWrenchIsMadeToGrowByTheLeg) {
   const std::array parts{
       body::Part{body::Cylinder{1, 4}, 6.7, {2, 0, 0}, body::frame_with_z_along({1, 0, 0})},

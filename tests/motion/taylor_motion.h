@@ -8,8 +8,8 @@
 
 namespace twrench::motion {
 
-/// Euler's equations and the attitude by Taylor series in a wide type: slow, and independent of the
-/// closed form. The inertia is diagonal, in any order; X(0) = Id.
+/// Solves Euler's equations and the attitude by Taylor series in a wide type. It is slow, but
+/// independent of the closed form. The inertia is diagonal, with moments in any order; X(0) = Id.
 template <typename Real, std::size_t order>
 class TaylorMotion {
  public:
@@ -54,7 +54,7 @@ class TaylorMotion {
   }
 
  private:
-  using State = std::array<Real, 7>;  ///< omega, then the unit quaternion, its scalar first
+  using State = std::array<Real, 7>;  ///< omega, then the unit quaternion, scalar first
 
   double as_double(std::size_t i) const { return static_cast<double>(state_[i]); }
 
@@ -85,7 +85,7 @@ class TaylorMotion {
     sum[6] += a[3] * b[2] + a[4] * b[1] - a[5] * b[0];
   }
 
-  /// The step at which the last two terms fall below round-off.
+  /// Returns the step at which the last two terms fall below round-off.
   Real reach() const {
     double rate = 0;
     for (const std::size_t n : {order - 1, order}) {

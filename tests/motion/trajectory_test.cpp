@@ -35,7 +35,7 @@ double worst_error(const ReferenceCase& c, const std::vector<Sample>& samples) {
   return worst;
 }
 
-/// Why the motion could not be computed.
+/// Returns the reason why the motion could not be computed; nothing if it could.
 template <typename Action>
 std::optional<MotionError::Reason> reason(const Action& action) {
   try {
@@ -48,7 +48,7 @@ std::optional<MotionError::Reason> reason(const Action& action) {
 
 class Task5 : public testing::TestWithParam<const char*> {};
 
-// Task 5: a step so small that the error stays below 1e-6 at every reference time up to 100 s.
+// Task 5: with a small enough step, the error stays below 1e-6 at every reference time up to 100 s.
 TEST_P(Task5, ReachesTheReference) {
   const ReferenceCase c = reference_case(GetParam());
   for (const char* name : {"midpoint", "trapezoid", "rk4", "rkf45"}) {
@@ -62,9 +62,9 @@ TEST_P(Task5, ReachesTheReference) {
   }
 }
 
-// No tolerance that doubles can represent brings the printed RKF45 to 1e-6 by itself: both rows
-// omit the same commutator, (h^3/12) omega x omega', so that E does not see it and the steps become
-// too long.
+// With its own steps, the printed RKF45 does not reach 1e-6 at any tolerance that doubles can
+// represent. Both rows omit the same commutator, (h^3/12) omega x omega', so E does not include it
+// and the steps become too long.
 TEST_P(Task5, ThePrintedPairCannotBeTrustedWithItsOwnStep) {
   const ReferenceCase c = reference_case(GetParam());
   const StepControl control{.tolerance = 1e-15};
@@ -209,8 +209,8 @@ TEST(Adaptive, RefusesAToleranceBelowRoundOff) {
 }
 
 TEST(Adaptive, EndsWhenTheStepUnderflows) {
-  // So fast that its square overflows, though its energy does not: no step, however short, has a
-  // finite estimate.
+  // So fast that the square of the rate overflows, but not the energy. No step, however short, has
+  // a finite estimate.
   const FreeBody fast(1e-200 * Vector3d(1, 2, 3).asDiagonal(), {1e200, 1e200, 1e200});
   const std::vector<double> times{1};
   EXPECT_EQ(reason([&] { integrate(fast, find_method("rkf45"), {}, times); }),
@@ -233,7 +233,7 @@ TEST(Trajectory, EndsWhenTheStepsRunOut) {
   EXPECT_NO_THROW(integrate(c.body, find_method("rk4"), enough, times));
 }
 
-// Before the first of them: so many would take minutes.
+// The error must come before the first step, because so many steps would take minutes.
 TEST(Trajectory, RefusesMoreFixedStepsThanAllowedAtOnce) {
   const ReferenceCase c = reference_case("wrench-a");
   const std::vector<double> times{0, -1e9};
@@ -255,7 +255,7 @@ TEST(Taylor, ReachesTheReferenceAtEveryTime) {
   }
 }
 
-// Samples within a step evaluate the series: they are as accurate as its end.
+// Samples within a step evaluate the series, so they are as accurate as its end.
 TEST(Taylor, SamplesBetweenStepsAreOfTheSameAccuracy) {
   const ReferenceCase c = reference_case("wrench-a");
   const ExactMotion exact(c.body);
@@ -323,7 +323,7 @@ TEST_P(EveryMethod, VisitedSamplesAreThoseOfTheTrajectory) {
   EXPECT_EQ(next, times.size());
 }
 
-// Well below infinity too: squares of the results would be infinite.
+// Divergence must be reported well below infinity, because squares of the results would overflow.
 TEST(Trajectory, NothingThatIsToldOverflows) {
   const FreeBody fast(Vector3d(1, 2, 3).asDiagonal(), {0.1, 100, 0.1});
   std::vector<double> times;

@@ -1,5 +1,5 @@
-// What `cmake --install` puts where, component by component, and what Debian's packages of the
-// components say; scripts/try_packages.sh installs the packages themselves.
+// The files that `cmake --install` installs for each component, and the metadata of the components'
+// Debian packages. scripts/try_packages.sh installs the packages themselves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ std::set<std::string> found_in_sources(const std::string& folder, const std::str
   return found;
 }
 
-/// What cpack was told by the name of `variable`.
+/// The value of cpack's `variable`.
 std::string package_setting(const std::string& variable) {
   const std::string settings = file_text(fs::path(TWRENCH_BUILD) / "CPackConfig.cmake");
   const std::regex line("set\\(" + variable + " \"([^\"]*)\"\\)");
@@ -94,7 +94,7 @@ TEST(Packaging, TheDevelopmentFilesAreTheHeadersTheLibraryAndWhatFindsThem) {
     expected.insert(lib + file);
   }
   std::set<std::string> files = installed(scratch, "development");
-  // Its name has that of the build type.
+  // The name of this file depends on the build type.
   EXPECT_EQ(std::erase_if(files,
                           [](const std::string& file) {
                             return file.find("/twrenchTargets-") != std::string::npos;
@@ -103,7 +103,7 @@ TEST(Packaging, TheDevelopmentFilesAreTheHeadersTheLibraryAndWhatFindsThem) {
   EXPECT_EQ(files, expected);
 }
 
-// The remedies name the packages that provide what the program loads or starts.
+// The remedies name the packages of the libraries and programs that the program loads or starts.
 TEST(Packaging, TheProgramDependsOnWhatItsRemediesInstall) {
   const std::set<std::string> remedies =
       found_in_sources("src", "apt-get install ([a-z0-9-]+(?:,? [a-z-]+[0-9])*)");

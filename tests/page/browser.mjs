@@ -1,5 +1,5 @@
-// What the tests in a browser share: a page of twrench in Chromium, or with BROWSER=firefox in Firefox,
-// in which nothing may go wrong unseen.
+// Helpers of the tests in a browser: pages of twrench in Chromium, or with BROWSER=firefox in Firefox.
+// Unexpected errors and requests of a page fail the test.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync } from 'node:fs';
@@ -33,8 +33,8 @@ const executablePath = programs.find((path) => {
 });
 
 /**
- * Starts a browser. Without a graphics card Chromium draws WebGL 2 by SwiftShader, and Firefox by Mesa,
- * for which it needs a screen: xvfb-run.
+ * Starts a browser. Without a graphics card Chromium draws WebGL 2 with SwiftShader and Firefox with
+ * Mesa; Firefox then needs a display (xvfb-run).
  */
 const launch = (...more) =>
   isFirefox
@@ -53,7 +53,7 @@ const launch = (...more) =>
 
 export const browser = await launch();
 
-/** On a display of that many pixels a point: what is emulated does not reach a canvas. */
+/** Uses a display with this many pixels per point. Emulation would not affect a canvas. */
 export async function openOnDisplay(scale, file) {
   const other = await launch(`--force-device-scale-factor=${scale}`);
   const page = await other.newPage();
@@ -64,8 +64,8 @@ export async function openOnDisplay(scale, file) {
 }
 
 /**
- * Opens a page and waits until it is ready. Errors of the console and requests are collected in
- * `trouble`: a test that does not expect any calls quiet().
+ * Opens a page and waits until it is ready. Collects console errors and requests in `trouble`; a test
+ * that expects none calls quiet().
  */
 export async function open(file, { hash = '', width = 900, height = 600, features } = {}) {
   const page = await browser.newPage();
@@ -81,13 +81,13 @@ export async function open(file, { hash = '', width = 900, height = 600, feature
   };
 }
 
-/** Collects what goes wrong in a page. */
+/** Collects the errors and requests of a page. */
 export function watch(page, file) {
   const trouble = [];
   const own = pathToFileURL(file).href;
   page.on('pageerror', (error) => trouble.push(`error: ${error.message}`));
   page.on('console', (message) => {
-    // A software renderer tells that reading pixels stalls it.
+    // A software renderer warns that reading pixels stalls it.
     if (/GPU stall due to ReadPixels/.test(message.text())) return;
     if (['error', 'warn'].includes(message.type())) trouble.push(`${message.type()}: ${message.text()}`);
   });
@@ -99,8 +99,8 @@ export function watch(page, file) {
 }
 
 /**
- * Runs the tests in order, and ends with an exit status that says whether all passed. In Firefox it
- * leaves out those that ask for what only Chromium's protocol has.
+ * Runs the tests in order, and ends with exit status 0 if all passed. In Firefox it skips tests that need
+ * Chromium's protocol.
  */
 export async function run(tests, ofChromium = []) {
   assert.ok(ofChromium.every((name) => name in tests), 'a test of that name');

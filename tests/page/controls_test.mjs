@@ -1,5 +1,5 @@
-// What a reader does with a page: each control by mouse and by keyboard, links, what is taken away, and
-// what goes for everybody.
+// Tests of a page's controls: each by mouse and by keyboard, links, copied and saved texts, and
+// accessibility.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -16,7 +16,7 @@ const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimat
 const sample = (page, t) => page.evaluate((at) => globalThis.twrench.sample(at), t);
 const still = { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] };
 
-/** Changes a control as one who types into it or chooses from it. */
+/** Changes a control like a user who types into it or chooses from it. */
 async function enter(page, selector, text) {
   await page.click(selector, { count: 3 });
   await page.keyboard.type(text);
@@ -94,6 +94,54 @@ const tests = {
     quiet();
   },
 
+  async 'keys work without a focus, and a question mark lists them'() {
+    const { page, quiet } = await open(flip, still);
+    await page.keyboard.press('ArrowRight');
+    await settle(page);
+    assert.ok(Math.abs((await time(page)) - 4 / 60) < 1e-6, 'a step on');
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => Number(document.getElementById('timeline').ariaValueNow) > 0.1);
+    assert.equal(await page.evaluate(() => scrollY), 0, 'space does not scroll');
+    await page.keyboard.press(' ');
+    await page.keyboard.type('?');
+    assert.equal(await page.$eval('#keys', (dialog) => dialog.open), true);
+    await page.keyboard.press('Escape');
+    assert.equal(await page.$eval('#keys', (dialog) => dialog.open), false);
+    await page.click('#longer');
+    await settle(page);
+    assert.equal(await page.$eval('#length', (input) => input.value), '192', 'plus makes it longer');
+    quiet();
+  },
+
+  async 'time suits any motion: days, microseconds, and the tour too'() {
+    const slow = writePage('toutatis.html', 'toutatis');
+    const { page, quiet } = await open(slow, still);
+    const speeds = await page.$$eval('#speed option', (options) => options.map((option) => option.textContent));
+    assert.ok(speeds.every((text) => /^[\d.]+ (s|min|h|d)\/s$/.test(text)), speeds.join(', '));
+    await page.click('#play');
+    await page.waitForFunction(() => Number(document.getElementById('timeline').ariaValueNow) > 1e5, { timeout: 20_000 });
+    await page.click('#play');
+    assert.match(await shown(page, '#readout'), /^t = [\d.]+ (h|d) · flips: \d+ · next in [\d.]+ (s|min|h|d)$/);
+    await page.click('#open-tour');
+    await settle(page);
+    const length = Number(await page.$eval('#length', (input) => input.value));
+    await page.click('#flip-on');
+    await settle(page);
+    const first = await time(page);
+    await page.click('#flip-on');
+    await settle(page);
+    const flips = length / ((await time(page)) - first);
+    assert.ok(flips > 3 && flips < 5, `the tour's timeline has ${flips} intervals`);
+    quiet();
+    const fast = await open(flip, { ...still, hash: '#omega=1e6,5e4,0&length=1e-4&speed=1e-6' });
+    await settle(fast.page);
+    assert.match(await shown(fast.page, '#readout'), /^t = 0(\.0+)? (ms|µs) · .* µs$/);
+    await fast.page.click('#flip-on');
+    await settle(fast.page);
+    assert.ok(Math.abs((await time(fast.page)) - 11.8154e-6) < 1e-9);
+    fast.quiet();
+  },
+
   async 'the start is set by typing, by slider, by dragging and by arrow keys'() {
     const { page, quiet } = await open(flip, still);
     const omega = async () => (await sample(page, 0)).omega;
@@ -136,7 +184,7 @@ const tests = {
     quiet();
   },
 
-  async 'moments that no body has are told of, and the motion goes on'() {
+  async 'impossible moments of inertia are reported, and the motion continues'() {
     const { page, quiet } = await open(flip, { ...still, hash: '#moments=1,2,30' });
     assert.ok((await shown(page, '#moments-note')).length > 10);
     assert.equal((await sample(page, 1e4)).X.every(Number.isFinite), true);
@@ -154,7 +202,7 @@ const tests = {
     await page.select('#method-b', 'euler');
     await settle(page);
     await page.waitForFunction((text) => document.querySelector('#errors tbody').textContent !== text, {}, rows);
-    // A step longer than a turn of the body: told, and nothing stops.
+    // A step longer than a turn of the body is reported, and the page goes on.
     await enter(page, '#step-field input[inputmode=decimal]', '9');
     await page.waitForFunction(() => document.getElementById('compare-note').textContent.length > 10);
     await enter(page, '#step-field input[inputmode=decimal]', '0.01');
@@ -209,7 +257,7 @@ const tests = {
       for (const frame of manifest.frames) {
         const { X } = await sample(page, frame.t);
         const apart = Math.max(...X.map((x, i) => Math.abs(x - frame.X[i])));
-        // Sums that are not short may be rounded otherwise: docs/page.md.
+        // Longer sums may round differently: docs/page.md.
         assert.ok(apart <= (words.length || hash.includes('omega') ? 3.2e-15 * Math.max(1, 2 * frame.t) : 0), `${command}: ${apart} at ${frame.t} s`);
       }
       const scene = await copied(page, '#copy-scene');
@@ -253,7 +301,7 @@ const tests = {
       assert.equal(rows.length, expectedRows.length);
       rows.forEach((row, i) => {
         const numbers = row.split(',').map(Number), others = expectedRows[i].split(',').map(Number);
-        // The text of the motion; energy and errors are sums, and rounded otherwise.
+        // The numbers of the motion are the same text; energy and errors are sums, and round differently.
         const moving = bound === 0 ? 13 : 1;
         assert.equal(row.split(',', moving).join(), expectedRows[i].split(',', moving).join());
         numbers.forEach((x, k) => {
@@ -292,7 +340,7 @@ const tests = {
     quiet();
   },
 
-  async 'everything is said to those who do not see it: axe finds nothing'() {
+  async 'the page is accessible: axe reports no violations'() {
     for (const [hash, size] of [
       ['', { width: 1280, height: 800 }],
       ['#theme=paper&lang=nb&compare=beside&moments=1,2,9', { width: 1280, height: 800 }],
@@ -354,7 +402,7 @@ const tests = {
     quiet();
   },
 
-  async 'lost graphics are told of, and come back'() {
+  async 'a lost WebGL context is reported and restored'() {
     const { page, quiet } = await open(flip, { ...still, hash: '#t=12' });
     const picture = () => page.evaluate(() => globalThis.twrench.picture({ width: 160, height: 90 }));
     const before = await picture();
@@ -382,7 +430,7 @@ const tests = {
       let count = 0;
       const request = globalThis.requestAnimationFrame;
       globalThis.requestAnimationFrame = (call) => (++count, request(call));
-      // On a busy machine the page may still be starting: it has five chances to be at rest.
+      // On a busy machine the page may still be starting, so up to five attempts are made.
       for (let chance = 0; chance < 5; ++chance) {
         count = 0;
         await new Promise((done) => setTimeout(done, 500));
@@ -403,7 +451,7 @@ const tests = {
   },
 
   async 'memory stays flat while it plays'() {
-    const { page, quiet } = await open(flip, { hash: '#speed=16&t=80' }); // the herpolhode is soon computed again
+    const { page, quiet } = await open(flip, { hash: '#speed=16&t=80' }); // the herpolhode is soon recomputed
     const session = await page.createCDPSession();
     const memory = async () => {
       await session.send('HeapProfiler.collectGarbage');
@@ -456,7 +504,7 @@ const tests = {
 
 await run(tests, [
   'it plays, and stands still for those who want less motion',
-  'everything is said to those who do not see it: axe finds nothing',
+  'the page is accessible: axe reports no violations',
   'it is sharp where a point is two pixels',
   'it prints',
   'memory stays flat while it plays',

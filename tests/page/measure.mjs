@@ -1,12 +1,12 @@
-// measure.mjs frame: what a frame of a page costs apart from what it has drawn: JavaScript and
-// WebAssembly. measure.mjs memory [MINUTES]: memory while a page plays 16 times as fast as the motion.
+// measure.mjs frame: the time of JavaScript and WebAssembly per frame of a page, without WebGL's drawing.
+// measure.mjs memory [MINUTES]: memory while a page plays at 16 times the speed of the motion.
 // Run it where scripts/page_test.sh runs the tests: TWRENCH=... node build/page/npm/measure.mjs frame
 import { execFileSync } from 'node:child_process';
 import { browser, open, writePage } from './browser.mjs';
 
 const [what, minutes = '10'] = process.argv.slice(2);
 
-/** Milliseconds of each of the next frames that are played, without what WebGL does. */
+/** The time of each of the next frames in ms, without WebGL's drawing. */
 const frameTimes = (page, count) =>
   page.evaluate(async (wanted) => {
     for (const name of ['drawArrays', 'drawElements', 'clear', 'bufferData', 'bufferSubData', 'blitFramebuffer'])
@@ -37,7 +37,7 @@ async function measureFrames() {
   }
 }
 
-/** Of the browser with all its processes, MB. */
+/** Memory of the browser with all its processes, MB. */
 function residentMegabytes() {
   const rows = execFileSync('ps', ['-eo', 'pid=,ppid=,rss='], { encoding: 'utf8' }).trim().split('\n').map((row) => row.trim().split(/\s+/).map(Number));
   const tree = new Set([browser.process().pid]);

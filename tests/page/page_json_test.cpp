@@ -33,7 +33,7 @@ std::vector<std::uint8_t> inflated(const std::vector<std::uint8_t>& bytes) {
   return result;
 }
 
-/// The integers of rows of that width, on a processor that is little-endian.
+/// Unpacks integers in rows of the given width, on a little-endian processor.
 template <typename Integer>
 std::vector<Integer> unpacked(const std::string& text, std::size_t width) {
   const std::vector<std::uint8_t> bytes = inflated(system::bytes_of_base64(text).value());
@@ -90,7 +90,7 @@ TEST(PageJson, TellsWhichPartsTouch) {
   const ordered_json &leg = surface.at("parts").at(1), &model = surface.at("model");
   EXPECT_EQ(surface.at("occluder_count"), 1);
   // After the radius and the number of parts: 14 numbers of a part and the number of its occluders,
-  // with 9 numbers each, of which the last but one is whether it meets the part.
+  // with 9 numbers each; the last but one states whether the occluder meets the part.
   const std::size_t part = 15, of_leg = 2 + part + 9 * model.at(2 + 14).get<std::size_t>();
   ASSERT_EQ(model.at(of_leg + 14), 1);
   EXPECT_EQ(model.at(of_leg + part + 7), 1);
@@ -101,12 +101,12 @@ TEST(PageJson, TellsWhichPartsTouch) {
 TEST(PageJson, KeepsThePageSmall) {
   for (const std::string& name : scene::builtin_scene_names()) {
     const ordered_json surface = json_of(scene::load_scene(name)).at("surface");
-    // All else in a page takes 330 kB.
+    // The rest of a page takes 330 kB.
     EXPECT_LT(surface.dump().size(), name == "dzhanibekov" ? 20'000U : 150'000U) << name;
   }
 }
 
-/// A scene of a ball of that many meridians, with a wave on it; a wall if `shell` > 0.
+/// A scene with a wavy ball of the given number of meridians; a thin wall if `shell` > 0.
 scene::Scene ball(int meridians, double shell, double wave) {
   body::TriangleMesh mesh = picture::ball_of_triangles(3, meridians);
   for (Vector3d& place : mesh.vertices) place *= 1 + wave * std::sin(9 * place.x());

@@ -1,4 +1,4 @@
-// "Add an overlay" of CONTRIBUTING.md, on the page: what the view of the body draws for a feature
+// "Add an overlay" of CONTRIBUTING.md, on the page: every feature that the view of the body draws
 // can be chosen there, and has a name in each language.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::string web_file(const std::string& name) {
   return text.str();
 }
 
-/// The features that a user of the page chooses from.
+/// The features that users of the page can choose.
 std::set<std::string> offered() {
   const std::string state = web_file("app/state.js");
   std::smatch list;
@@ -37,7 +37,7 @@ std::set<std::string> offered() {
   return features;
 }
 
-/// How much the view of the body draws for the features.
+/// The numbers of vertices and labels that the view of the body draws for the features.
 std::vector<std::size_t> drawn_for(const std::set<scene::Feature>& features) {
   const Motion motion{{Eigen::Vector3d(3, 4, 5).asDiagonal(), {0.1, 1, 0.2}}};
   Settings settings;

@@ -1,5 +1,5 @@
-// Pages in a real browser: that they draw, that they compute what the program computes, that they ask
-// nothing of the network, and that nothing in them runs which is not theirs.
+// Tests pages in a real browser: they draw, they compute the same numbers as the program, they make no
+// network requests, and they run no foreign scripts.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -24,7 +24,7 @@ const simulated = (...words) => {
 
 const distance = (a, b) => Math.max(...a.map((x, i) => Math.abs(x - b[i])));
 
-// Edges are drawn in another way and may lie a pixel elsewhere. At most 8 of 1000 other pixels may
+// Edges are drawn differently and may be displaced by a pixel. At most 8 of 1000 other pixels may
 // differ by more than 8 of 255. This bound is twice the measured share (2.3 of 1000, and 3.6 for the
 // racket's strings), because browsers change their renderers. Wrong light or a wrong colour changes the whole
 // body, which is a twentieth of the picture or more.
@@ -140,7 +140,7 @@ const tests = {
     quiet();
   },
 
-  async 'an exception of C++ says what is wrong, and the core goes on'() {
+  async 'a C++ exception is reported with its message, and the core keeps running'() {
     const { page, quiet } = await open(flip);
     const found = await page.evaluate(() => {
       const { core } = globalThis.twrench;
@@ -176,7 +176,7 @@ const tests = {
   async 'sample(t) is the motion shown, as the program computes it'() {
     for (const [words, bound] of [
       [['dzhanibekov'], 0],
-      // Registers of another width sum in another order, and an error of eps grows with |omega| t.
+      // Registers of a different width sum in a different order, and an error of eps grows with |omega| t.
       [['stable-y', '--omega', '0.2,1.5,0.3'], 1.6 * 2e-15],
     ]) {
       const { page, quiet } = await open(writePage('other.html', ...words));
@@ -306,7 +306,7 @@ omega = [0.1, 2.0, 0.1]
     await page.emulateMediaType('print');
     assert.equal(await page.$eval('.viewer iframe', (frame) => getComputedStyle(frame).display), 'none');
     assert.notEqual(await page.$eval('.viewer img', (image) => getComputedStyle(image).display), 'none');
-    // What may not be cut must fit a page: the smaller of A4 and Letter, less its margins, is 912 points of 1/96 inch.
+    // Elements that must not be cut must fit a page: the smaller of A4 and Letter, without margins, is 912/96 inch high.
     await page.setViewport({ width: 670, height: 900 });
     for (const box of await page.$$eval('figure', (all) => all.map((figure) => figure.getBoundingClientRect().height))) {
       assert.ok(box <= 912, `${box} high`);

@@ -1,5 +1,5 @@
-// random_views COUNT: writes what the views of a page show for COUNT random states in each theme,
-// as this build computes it: a line of JSON with the state, and then the numbers of its draw lists.
+// random_views COUNT: writes the contents of a page's views for COUNT random states in each theme,
+// as this build computes them: a line of JSON with the state, then the numbers of its draw lists.
 // tests/page/views_test.mjs compares them with those of the page's core.
 
 #include <Eigen/Geometry>
@@ -34,7 +34,8 @@ json numbers(const auto& matrix) {
 class Dice {
  public:
   double between(double low, double high) {
-    const double share = static_cast<double>(random_()) / 4294967296.0;  // alike in every library
+    const double share =
+        static_cast<double>(random_()) / 4294967296.0;  // the same with every library
     return low + share * (high - low);
   }
   int below(int count) { return static_cast<int>(between(0, count)); }

@@ -1,5 +1,5 @@
-// The contents of the views in core.wasm and in the program's build are the same for random states in
-// each theme and view: the same triangles, and numbers that agree to six digits. Needs no browser:
+// Compares the contents of the views in core.wasm with those of the program's build for random states in
+// each theme and view: the triangles are the same, and the numbers agree to six digits. Needs no browser:
 // CORE and RANDOM_VIEWS name core.wasm and the program, WEB the folder of the scripts.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -17,7 +17,7 @@ const core = await Core.load(readFileSync(process.env.CORE)),
 
 const written = execFileSync(process.env.RANDOM_VIEWS, [String(states)], { maxBuffer: 1 << 30 });
 
-/** Relative to the largest of a row of `width` numbers, such as the position of a vertex. */
+/** Compares numbers relative to the largest in each row of `width`, such as the position of a vertex. */
 function expectClose(found, expected, width, what) {
   for (let i = 0; i < expected.length; i += width) {
     let scale = 1e-3;

@@ -51,7 +51,7 @@ std::vector<OverlayGolden> overlay_goldens() {
           {"overlay-compare", compared},     {"overlay-compare-rows", in_rows}};
 }
 
-/// The frame state in the middle of the video, modified by `change`.
+/// Returns the frame state in the middle of the video, modified by `change`.
 timeline::FrameState middle(const OverlayScene& film,
                             const std::function<void(timeline::SolutionState&)>& change) {
   timeline::FrameState state = film.timeline.frame_state(0);
@@ -78,7 +78,7 @@ image::Image drawn(
   const auto& solutions = film.timeline.solutions();
   const timeline::FrameState state = middle(film, change);
   image::Image image(scene.film.width, scene.film.height, 3);
-  // Visible through a panel that darkens or brightens it.
+  // This background is visible through a panel that darkens or brightens it.
   image.pixels.assign(image.pixels.size(), 110);
   const auto lay = [&](const std::vector<Layer>& layers) {
     for (const Layer& layer : layers) composite_over(image, layer);
@@ -103,7 +103,7 @@ image::Image drawn(
   return image;
 }
 
-/// Releases of Cairo and of compilers round coverage differently, by a few levels of 255; the
+/// Releases of Cairo and of compilers round coverage differently, by a few levels of 255. The
 /// glyphs of Roboto 2 and Roboto 3, which releases of Debian have, differ at edges by up to 61
 /// (docs/platforms.md). A single changed digit changes a dozen pixels by far more.
 bool same_words(const image::Image& a, const image::Image& b) {
@@ -119,7 +119,7 @@ TEST_P(OverlayGoldenImage, IsDrawn) {
   expect_golden(GetParam().name, drawn(GetParam().scene), same_words);
 }
 
-// What the thresholds must detect.
+// The thresholds must detect these changes.
 TEST_P(OverlayGoldenImage, SeesOneFigureOrPointThatIsAnother) {
   const image::Image golden = image::read_png(golden_path(GetParam().name));
   EXPECT_FALSE(same_words(

@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// One of each, with no two measures alike.
+/// Returns an example in which no two lengths are equal.
 template <typename T>
 T example();
 template <>
@@ -83,7 +83,7 @@ std::string toml_of(const nlohmann::ordered_json& part) {
   return text;
 }
 
-/// The part as a scene's JSON tells it.
+/// Returns the part as in a scene's JSON.
 nlohmann::ordered_json json_of(const body::Part& part) {
   scene::Scene scene;
   scene.body.parts = {part};
@@ -112,7 +112,7 @@ TYPED_TEST(ShapeRecipe, IsDescribedInTheDocument) {
   EXPECT_NE(text.str().find("| `" + name + "` |"), std::string::npos) << name;
 }
 
-/// What the picture's mesh holds, by the divergence theorem: its volume, and from it the moments.
+/// Volume of the picture's mesh and the integral for its moments, by the divergence theorem.
 struct Solid {
   double volume = 0;
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();  ///< the integral of x x^T
@@ -135,8 +135,7 @@ Solid solid_of(const Mesh& mesh, const Vector3d& centre) {
   return solid;
 }
 
-// The solid that is drawn is the one that turns: the bevels of edges, narrow here, are the
-// difference.
+// The drawn solid is the one that turns, except for the bevels of edges, which are narrow here.
 TYPED_TEST(ShapeRecipe, IsDrawnAsTheSolidThatItsNumbersTellOf) {
   const Vector3d centre =
       this->part.position + this->part.body_from_part * body::centroid(this->part.shape);
@@ -176,7 +175,7 @@ TYPED_TEST(ShapeRecipe, HoldsWhatIsInsideItsSurface) {
   }
 }
 
-// The integrals are those over the points that it holds, by the midpoint rule on a grid.
+// The integrals equal those over the points that the shape holds, by the midpoint rule on a grid.
 TYPED_TEST(ShapeRecipe, HasTheIntegralsOverWhatItHolds) {
   if constexpr (IsRings<TypeParam>) {
     const auto shape = example<TypeParam>();
@@ -214,7 +213,8 @@ TYPED_TEST(ShapeRecipe, HasTheSymmetryOfItsExtent) {
   EXPECT_EQ(traits_of(shape).symmetry == of_revolution, is_round);
 }
 
-// What shades other parts in its stead, and the end that draws a trail, lie about it.
+// The capsules that shade other parts instead of the shape, and the end that draws a trail, are
+// close to the shape.
 TYPED_TEST(ShapeRecipe, HasACapsuleAndAnEnd) {
   const double bound = body::bounding_radius(this->part.shape);
   const std::vector<Capsule> capsules = capsules_of(this->part);

@@ -10,7 +10,7 @@
 namespace twrench::plot {
 namespace {
 
-/// Every method with steps, with errors as its order and coefficients near 1 make them.
+/// Every method that has steps, with errors computed from its order and a coefficient near 1.
 study::Study study_of_all() {
   study::Study study{20, 10, {}, {}, {}};
   double coefficient = 1;

@@ -1,9 +1,10 @@
-"""What the tests share: scenes that are drawn quickly, and the program to compare with."""
+"""Shared fixtures: scenes that are drawn quickly, and the program to compare with."""
 
 from __future__ import annotations
 
 import os
 import subprocess
+from pathlib import Path
 from typing import Any, Callable
 
 import pytest
@@ -26,3 +27,14 @@ def program() -> Callable[..., str]:
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
     return run
+
+
+@pytest.fixture
+def template(tmp_path) -> Path:
+    """A page without a scene. scripts/page.sh builds the real one."""
+    file = tmp_path / "template.html"
+    file.write_text(
+        "<title>{{title}}</title><h1>{{title}}</h1>\n"
+        "<!-- twrench:poster -->\n<!-- twrench:scene -->\n"
+    )
+    return file

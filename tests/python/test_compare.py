@@ -1,4 +1,4 @@
-"""``twrench compare --metric ssim`` and scikit-image's structural similarity are the same number."""
+"""``twrench compare --metric ssim`` gives the same number as scikit-image's structural similarity."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ metrics = pytest.importorskip("skimage.metrics")
 
 
 def similarity(folder: Path, a: Any, b: Any) -> float:
-    """What the program says of two arrays of pixels."""
+    """The structural similarity of two arrays of pixels, computed by the program."""
     for name, pixels in (("a.png", a), ("b.png", b)):
         image.fromarray(pixels).save(folder / name)
     command = [os.environ["TWRENCH_PROGRAM"], "compare", "a.png", "b.png"]
@@ -55,7 +55,7 @@ def test_smooth_pictures_with_a_local_change(tmp_path):
 
 
 def test_the_numbers_of_the_test_in_cpp(tmp_path):
-    """tests/image/similarity_test.cpp has them for machines without scikit-image."""
+    """tests/image/similarity_test.cpp tests these numbers on machines without scikit-image."""
     source = (Path(__file__).parents[1] / "image/similarity_test.cpp").read_text()
     cases = re.findall(r"\{(\d+), (\d+), (0\.\d{12})\}", source)
     assert len(cases) == 3

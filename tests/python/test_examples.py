@@ -1,4 +1,4 @@
-"""Each example of examples/python runs in a folder of its own, and prints what is right."""
+"""Each example of examples/python runs in a separate folder and prints the right results."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ import twrench
 
 PROJECT = Path(__file__).parents[2]
 EXAMPLES = PROJECT / "examples/python"
+NOTEBOOKS = PROJECT / "examples/notebooks"
 
 
 def run(name: str, folder: Path, *arguments: str) -> str:
@@ -80,7 +81,7 @@ def test_map_of_flips(tmp_path):
     starts, _, earliest = numbers(run("flip_map.py", tmp_path, "40"))
     assert starts == pytest.approx(math.pi * 20**2, rel=0.02)
     assert image.open(tmp_path / "flip_map.png").size == (40, 40)
-    # The same starts one at a time.
+    # The same starts, one at a time.
     across = (np.arange(40) + 0.5) / 20 - 1
     body = twrench.Body(moments=[1, 2, 3])
     waits = [
@@ -92,39 +93,58 @@ def test_map_of_flips(tmp_path):
     assert starts == len(waits) and earliest == pytest.approx(min(waits), abs=1e-4)
 
 
-def cells() -> list[dict[str, Any]]:
-    return json.loads((EXAMPLES / "dzhanibekov.ipynb").read_text())["cells"]
-
-
-def test_the_cells_of_the_notebook(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def names_after(notebook: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """The names that the cells of a notebook define. The cells are stored without outputs."""
+    pytest.importorskip("matplotlib").use("agg")
+    monkeypatch.chdir(folder)
     names: dict[str, Any] = {}
-    for cell in cells():
+    for cell in json.loads((NOTEBOOKS / notebook).read_text())["cells"]:
         if cell["cell_type"] == "code":
             assert cell["outputs"] == [] and cell["execution_count"] is None
             exec("".join(cell["source"]), names)
+    return names
+
+
+def test_the_notebook_of_the_effect(tmp_path, monkeypatch):
+    names = names_after("effect.ipynb", tmp_path, monkeypatch)
     assert names["flips"][0] == pytest.approx(11.81536262, abs=5e-9)
     assert names["exact"].flip_interval == pytest.approx(23.630725246, abs=5e-10)
-    orders = {name: of.order for name, of in names["study"].methods.items()}
-    assert orders == pytest.approx({"lie-euler": 1, "rk4": 2, "rkmk4": 4}, abs=0.05)
+    assert names["predicted"] == pytest.approx(np.diff(names["waits"])[-1], abs=1e-6)
+    assert len(names["sphere"].lines) > 10
     assert names["scene"]._repr_png_() and names["film"]._repr_html_()
     assert files(tmp_path) == ["dzhanibekov.chapters.vtt", "dzhanibekov.mp4"]
+
+
+def test_the_notebook_of_the_integrators(tmp_path, monkeypatch):
+    names = names_after("integrators.ipynb", tmp_path, monkeypatch)
+    orders = {name: of.order for name, of in names["study"].methods.items()}
+    assert orders == pytest.approx({"lie-euler": 1, "rk4": 2, "rkmk4": 4, "cf4": 4}, abs=0.05)
+    assert names["gain"] > 1e5 and names["longest"] == 0.02
+    assert names["drift"]["implicit-trapezoid"] < 1e-12 < names["drift"]["rkmk4"]
+
+
+def test_the_notebook_of_the_check(tmp_path, monkeypatch):
+    names = names_after("check_your_simulator.ipynb", tmp_path, monkeypatch)
+    assert names["found"].finding == "integration"
+    assert names["order"] == pytest.approx([4, 4], abs=0.05)
+    assert names["wrong"].finding == "convention" and not names["wrong"].passes
+    assert names["right"].finding == "exact" and names["right"].passes
 
 
 def test_the_notebook_in_a_kernel(tmp_path):
     nbclient = pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
     nbformat = pytest.importorskip("nbformat")
-    notebook = nbformat.read(EXAMPLES / "dzhanibekov.ipynb", as_version=4)
+    notebook = nbformat.read(NOTEBOOKS / "effect.ipynb", as_version=4)
     resources = {"metadata": {"path": str(tmp_path)}}
     nbclient.NotebookClient(notebook, kernel_name="python3", resources=resources).execute()
     shown = [output.data for cell in notebook.cells for output in cell.get("outputs", [])
-             if output.output_type == "execute_result"]  # fmt: skip
-    assert ["image/png" in data for data in shown] == [True, False]
-    assert shown[1]["text/html"].startswith("<video")
+             if output.output_type in ("execute_result", "display_data")]  # fmt: skip
+    assert ["image/png" in data for data in shown] == [True, True, False]
+    assert shown[-1]["text/html"].startswith("<video")
 
 
 def test_each_example_is_tested():
     tests = Path(__file__).read_text()
-    for example in filter(Path.is_file, EXAMPLES.iterdir()):
+    for example in filter(Path.is_file, [*EXAMPLES.iterdir(), *NOTEBOOKS.iterdir()]):
         assert f'"{example.name}"' in tests, f"no test runs {example.name}"

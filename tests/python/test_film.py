@@ -109,7 +109,7 @@ def test_nothing_of_another_film_is_overwritten(small, tmp_path):
 
 
 def test_an_input_is_no_output(tmp_path):
-    file = tmp_path / "mine.mp4"  # whatever it is called
+    file = tmp_path / "mine.mp4"  # under any name
     file.write_text("[body]\nmoments = [1, 2, 3]\n[film]\nsize = [64, 48]\n")
     (tmp_path / "mine.toml").symlink_to(file)
     scene = twrench.Scene(tmp_path / "mine.toml")
@@ -138,7 +138,7 @@ def test_an_input_is_no_output(tmp_path):
         ({"path": "f.mp4", "jobs": 0}, twrench.UsageError, "jobs: must be from 1 to 256"),
         ({"path": "f.mp4", "jobs": "2"}, twrench.UsageError, "jobs: must be an integer"),
         ({"path": "f.mp4", "backend": "vulkan"}, twrench.UsageError, "backend: 'vulkan'"),
-        ({"path": "f.mp4", "progress": 3}, twrench.UsageError, "progress: must be callable"),
+        ({"path": "f.mp4", "progress": 3}, twrench.UsageError, "progress: must be a function"),
         ({"path": "f.mp4", "resume": True, "overwrite": True}, twrench.UsageError, "give one"),
         ({"frames_dir": "/proc/twrench"}, twrench.FileError, "/proc/twrench"),
         ({"path": "/proc/twrench/f.mp4"}, twrench.FileError, "/proc/twrench"),
@@ -164,17 +164,17 @@ def test_without_ffmpeg(small, tmp_path, monkeypatch):
     with pytest.raises(twrench.EncoderError, match="ffmpeg"):
         small.render(tmp_path / "f.mp4")
     assert list(tmp_path.iterdir()) == []
-    small.render(frames_dir=tmp_path / "f", frames="0")  # frames need none
+    small.render(frames_dir=tmp_path / "f", frames="0")  # frames alone need no ffmpeg
 
 
 def test_without_opengl(tmp_path):
-    """Where both libraries are hidden; in a process of its own, because they stay loaded."""
+    """Both libraries are hidden, in a separate process, because they stay loaded."""
     code = (
         "import twrench\n"
         "try: twrench.Scene(size=(64, 48)).frame(0)\n"
         "except twrench.GlError as error: print(error)\n"
     )
-    # Mesa draws nowhere if it may not load a driver.
+    # Mesa cannot draw at all if it cannot load a driver.
     hidden = {"EGL_PLATFORM": "none", "__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null",
               "LIBGL_DRIVERS_PATH": "/nonexistent", "GALLIUM_DRIVER": "none"}  # fmt: skip
     command = [sys.executable, "-c", code.replace("frame(0)", "render(frames_dir='f', backend='egl')")]
@@ -271,12 +271,12 @@ def test_control_c_is_heard_while_ffmpeg_hangs(tmp_path):
         text=True,
     )
     assert child.stdout is not None and child.stdout.readline() == "begun\n"
-    frames = -1  # which grow in number until the pipe to ffmpeg is full
+    frames = -1  # the number of frames grows until the pipe to ffmpeg is full
     while (now := len(list(tmp_path.glob("f/*.png")))) == 0 or now != frames:
         frames = now
         time.sleep(1)
     os.kill(child.pid, signal.SIGINT)
-    out, _ = child.communicate(timeout=40)  # ffmpeg would be given up after 60 s
+    out, _ = child.communicate(timeout=40)  # the program waits up to 60 s for ffmpeg
     assert out == "interrupted\n(180, 320, 3)\n" and child.returncode == 0
     assert recorded(tmp_path / "f") == frame_names(tmp_path / "f") != []
     assert {path.name for path in tmp_path.iterdir()} == {"bin", "f"}
@@ -293,7 +293,7 @@ def test_two_films_at_once_in_two_threads(tmp_path):
         assert list(pool.map(render, ["a", "b"])) == [24, 24]
     assert (tmp_path / "a.mp4").read_bytes() == (tmp_path / "b.mp4").read_bytes()
     with ThreadPoolExecutor(2) as pool:
-        # Into one folder at once: one of them is refused, or waits until the other has ended.
+        # Both use one folder at once: one of them is rejected, or waits until the other has ended.
         results = [pool.submit(render, "c") for _ in range(2)]
         failures = [result.exception() for result in results if result.exception()]
     assert all(isinstance(failure, twrench.FileError) for failure in failures)

@@ -1,4 +1,4 @@
-"""Solids beside cylinders, boxes and ellipsoids, meshes above all; and how parts look."""
+"""Solids other than cylinders, boxes and ellipsoids, especially meshes, and the look of parts."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_a_cone_has_the_moments_of_the_formula():
 
 def test_mass_stands_for_density():
     assert Body([Sphere(radius=3, mass=7)]).mass == pytest.approx(7, rel=1e-15)
-    assert Body([Sphere(2.0, radius=3)]).mass == pytest.approx(2 * 4 / 3 * math.pi * 27)
+    assert Body([Sphere(density=2.0, radius=3)]).mass == pytest.approx(2 * 4 / 3 * math.pi * 27)
 
 
 def test_a_mesh_of_arrays_is_the_solid_inside(tmp_path):
@@ -120,7 +120,7 @@ def test_an_open_surface_is_a_wall():
     assert body.mass == pytest.approx(2 * 0.01 * 5)
     with pytest.raises(twrench.UsageError, match="mesh: .*; .*shell"):
         Body([Mesh(**bowl, density=2)])
-    # Vertices almost in one place are joined if that is asked for.
+    # Vertices almost in one place are joined on request.
     apart = np.concatenate([CORNERS, CORNERS[:1] + 1e-7])
     triangles = TRIANGLES.copy()
     triangles[0, 0] = 8
@@ -238,8 +238,8 @@ def test_a_damaged_pickle_is_told_without_internals():
         try:
             pickle.loads(damaged)
         except twrench.UsageError as error:
-            assert str(error).startswith("the pickled scene: it is damaged")
-    with pytest.raises(twrench.UsageError, match="the pickled scene: it is damaged"):
+            assert str(error).startswith("the pickled scene: is damaged")
+    with pytest.raises(twrench.UsageError, match="the pickled scene: is damaged"):
         pickle.loads(whole.replace(b'"a wing nut"', b'"a wing nut '))
 
 
@@ -264,8 +264,8 @@ def test_parts_that_share_a_mesh_are_pickled_with_one():
         (lambda: Tube(radius=1, inner_radius=2, length=1, mass=1), "inner_radius: is 2"),
         (lambda: Cone(radius=1, length=1, top_radius=-1, mass=1), "top_radius"),
         (lambda: Capsule(radius=1, length=math.nan, mass=1), "length: must be finite"),
-        (lambda: Mesh(mass=1), "Mesh: give either file, or vertices and triangles"),
-        (lambda: Mesh(vertices=CORNERS, mass=1), "Mesh: give either file"),
+        (lambda: Mesh(mass=1), "Mesh: vertices: give either file, or vertices and triangles"),
+        (lambda: Mesh(vertices=CORNERS, mass=1), "Mesh: vertices: give either file"),
         (lambda: Mesh(file="a.obj", vertices=CORNERS, mass=1), "file: cannot be combined"),
         (lambda: Mesh(file="a\0.obj", unit="cm", mass=1), "file: must be a path"),
         (lambda: Mesh(file=3, unit="cm", mass=1), "file: must be a path"),

@@ -1,4 +1,4 @@
-"""The meshes of the built-in scenes are what their script makes, closed, and small."""
+"""The meshes of the built-in scenes equal the output of their script, and are closed and small."""
 
 import pathlib
 import shutil

@@ -24,7 +24,7 @@ def body() -> twrench.Body:
 
 
 def solved_by_scipy(inertia: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """X of Euler's equations with the attitude as a quaternion, from a program nobody here wrote."""
+    """X from Euler's equations with the attitude as a quaternion, by an independent integrator."""
     integrate = pytest.importorskip("scipy.integrate")
     Rotation = pytest.importorskip("scipy.spatial.transform").Rotation
     inverse = np.linalg.inv(inertia)
@@ -91,7 +91,7 @@ def test_what_is_conserved(body, method):
     np.testing.assert_allclose(
         motion.momentum_error, np.linalg.norm(error[:, :, 0], axis=1) / np.linalg.norm(L), atol=1e-13
     )
-    # There is something to measure: Euler's method leaves SO(3), and both change the energy.
+    # The errors are measurable: Euler's method leaves SO(3), and both methods change the energy.
     assert (motion.orthogonality_error.max() > 1e-3) == (method == "euler")
     assert np.abs(motion.energy_drift).max() > 1e-12
 
@@ -119,6 +119,42 @@ def test_flips(body):
     assert math.isnan(steady.flip_interval) and math.isnan(steady.first_flip)
     assert steady.kind == "steady" and steady.swing == 0 and not steady.turns_over
     assert len(steady.flip_times(10)) == 0
+
+
+def test_phase(body):
+    L, moments = np.array([0, 2, 0.01]), np.array([3, 5, 9])
+    known = twrench.Body(moments=moments)
+    phase = twrench.exact(known, L / moments).phase
+    assert phase.period == pytest.approx(118.1109, abs=5e-5)
+    assert phase.dynamic == pytest.approx(47.2444204, abs=5e-8)
+    assert phase.geometric == pytest.approx(-2.7385939, abs=5e-8)
+    assert phase.total == pytest.approx(44.5058265, abs=5e-8)
+    assert twrench.exact(body, [0, 0, 1]).phase is None
+
+
+def test_a_wheel_and_energy_loss(body, program, tmp_path):
+    wheel, times = [40, -30, 20], np.linspace(0, 30, 61)
+    motion = twrench.simulate(body, OMEGA, times, wheel=wheel, energy_loss_time=20)
+    assert motion.method == "taylor"
+    np.testing.assert_allclose(motion.momentum, body.inertia @ OMEGA + wheel, rtol=1e-15)
+    assert motion.momentum_error.max() < 1e-13
+    assert (np.diff(motion.energy) < 0).all()
+    kept = twrench.simulate(body, OMEGA, times, wheel=wheel)
+    assert np.abs(kept.energy_drift).max() < 1e-10
+    other = twrench.simulate(body, OMEGA, times, "rkmk45", wheel=wheel, tolerance=1e-12)
+    np.testing.assert_allclose(other.X, kept.X, atol=1e-8)
+    assert twrench.simulate(body, OMEGA, times).method == "exact"
+    motion.save(tmp_path / "run.csv")
+    assert "energy_drift" not in (tmp_path / "run.csv").read_text()
+    for arguments, message in [
+        ({"wheel": [1, 2]}, "wheel: must be three numbers"),
+        ({"wheel": [1e300, 0, 0]}, "wheel: the energy exceeds"),
+        ({"energy_loss_time": 0}, "energy_loss_time: must be greater than 0"),
+        ({"energy_loss_time": 0.01}, "energy_loss_time: is 0.01 s, but must be above"),
+        ({"wheel": wheel, "method": "exact"}, "method exact: there is no closed form"),
+    ]:
+        with pytest.raises(twrench.UsageError, match=message):
+            twrench.simulate(body, OMEGA, times, **arguments)
 
 
 def test_many_bodies_at_once_move_as_one_by_one():
@@ -249,7 +285,7 @@ def test_wrong_studies(body):
 
 
 def test_more_than_doubles_or_memory_hold(body):
-    with pytest.raises(twrench.UsageError, match="omega: the energy is beyond"):
+    with pytest.raises(twrench.UsageError, match="omega: the energy exceeds"):
         twrench.simulate(body, [1e200, 1, 0], [0, 1])
     assert np.isfinite(twrench.simulate(body, [1e150, 1, 0], [0, 1]).X).all()
     with pytest.raises(MemoryError):

@@ -26,13 +26,15 @@ def pixels(file: Path) -> np.ndarray:
 
 def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
     from twrench import _native
+    from twrench.scene import _Value
 
     keys = {field.key for field in _native.fields()}
-    # The material is what colour, metalness and roughness make; see below.
+    # The material follows from colour, metalness and roughness; see below.
     keys = keys - {"frame"} | {"camera_frame"}
-    assert keys == {key for key, value in vars(Scene).items() if type(value).__name__ == "_Value"}
+    assert keys == {key for key, value in vars(Scene).items() if isinstance(value, _Value)}
     other = {
-        "title": "Another", "omega": (2.0, 0.1, 0.0), "method": "rkmk4", "step": 0.02,
+        "title": "Another", "omega": (2.0, 0.1, 0.0), "attitude": (0.5, 0.5, -0.5, 0.5),
+        "wheel": (1.0, 2.0, 3.0), "energy_loss_time": 500.0, "method": "rkmk4", "step": 0.02,
         "tolerance": 1e-8, "duration": 12.0, "size": (320, 200), "fps": 24.0, "speed": 2.0,
         "theme": "paper", "samples": 4, "motion_blur": 2, "background": "#102030",
         "color": "#ff8800", "metallic": 0.25, "roughness": 0.5, "azimuth": 0.5, "elevation": 0.1,
@@ -49,6 +51,47 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         setattr(scene, key, value)
         assert getattr(scene, key) == value, key
     assert {key: getattr(Scene(**other), key) for key in other} == other
+
+
+def test_a_scene_with_a_wheel_and_energy_loss(program, tmp_path):
+    scene = Scene("t-handle", wheel=[100, 0, 0], duration=9)
+    assert Scene("t-handle").method == "exact" and scene.method == "taylor"
+    assert scene.energy_loss_time is None
+    scene.energy_loss_time = 30
+    assert scene.to_dict()["motion"]["wheel"] == [100, 0, 0]
+    motion = scene.simulate()
+    assert motion.method == "taylor" and motion.energy[-1] < motion.energy[0]
+    scene.export(tmp_path / "a.csv")
+    options = ["--wheel", "100,0,0", "--energy-loss-time", 30, "--duration", 9]
+    program("simulate", "t-handle", *options, "-o", tmp_path / "b.csv")
+    assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
+    for refused, what in [
+        (lambda: scene.page(tmp_path / "p.html", template=__file__), "a page"),
+        (lambda: scene.report(tmp_path / "r.md"), "a report"),
+        (lambda: scene.export(tmp_path / "a.glb"), "a glTF model"),
+        (lambda: scene.export(tmp_path / "a.aem"), "an attitude ephemeris"),
+    ]:
+        with pytest.raises(twrench.UsageError, match=f"wheel: {what} needs the closed form"):
+            refused()
+    for drawn in (lambda: scene.frame(0), lambda: scene.render(tmp_path / "f.mp4")):
+        with pytest.raises(twrench.UsageError, match="show: sphere can be shown only of a rigid"):
+            drawn()
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["a.csv", "b.csv"]
+    scene.show = set(scene.show) - {"sphere"}
+    scene.size = (64, 48)
+    assert (scene.frame(0) != scene.frame(100)).any()
+    for value in (0.01, 0, -1, "soon", [1, 2]):
+        with pytest.raises(SceneError, match="energy_loss_time: "):
+            scene.energy_loss_time = value
+        assert scene.energy_loss_time == 30
+    with pytest.raises(SceneError, match="energy_loss_time: the body has no single axis"):
+        scene.body = twrench.Body(moments=[2, 2, 2])
+    for none in (None, float("inf")):
+        scene.energy_loss_time = 30
+        scene.energy_loss_time = none
+        assert scene.energy_loss_time is None
+    scene.wheel = None
+    assert scene.wheel is None
 
 
 def test_a_material_is_a_colour_a_metalness_and_a_roughness():
@@ -245,7 +288,7 @@ def test_a_copy_is_a_scene_of_its_own(small):
 
 
 def test_threads_draw_the_same_frames_as_one(small):
-    """One scene for all threads, and a scene, so an OpenGL context, for each."""
+    """One scene is shared by all threads; each thread also has a scene, and so an OpenGL context."""
     wanted = [small.frame(i).copy() for i in range(6)]
     mine = threading.local()
 

@@ -1,4 +1,4 @@
-"""Films that are told in shots."""
+"""Films with shots."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_frames_are_those_of_the_program(story, program, tmp_path):
     for index in (0, 6, 14, 7, 1):
         png = tmp_path / "f" / f"frame_{index:06d}.png"
         np.testing.assert_array_equal(story.frame(index), np.asarray(Image.open(png)))
-    with pytest.raises(twrench.UsageError, match="time: may be shown twice"):
+    with pytest.raises(twrench.UsageError, match="time: a film with shots may show it twice"):
         story.frame(time=1)
 
 

@@ -22,13 +22,70 @@ twrench.simulate(body, [1, 0, 0], [0], step="x")
 twrench.Scene().fps = "fast"
 """
 
+#: Calls that a type checker must accept.
+RIGHT = """
+import numpy as np
+import twrench
+from twrench import Body, Box, Scene
+box = Box(size=(1, 2, 3), density=2, material="brass", position=np.zeros(3))
+body = Body([box, twrench.Sphere(radius=1, mass=3), twrench.Mesh(file="a.obj", unit="mm", density=1)])
+Body(moments=[1, 2, 3])
+Body(inertia=[[1, 0, 0], [0, 2, 0], [0, 0, 3]], shape="cross")
+motion = twrench.simulate(body, (1, 0.05, 0), np.linspace(0, 1, 3), "rk4", step=0.1)
+twrench.simulate(body, np.array([1, 0, 0]), span=(0, 10), fps=60, attitude=motion.rotation)
+twrench.exact(body, [1, 0, 0], attitude=[1, 0, 0, 0]).at([0, 1])
+scene = Scene("phone", size=(640, 360), theme="paper", body=body, show={"floor", "hud"})
+scene.method = "cf4"
+for method in twrench.methods():
+    twrench.simulate(body, [1, 0, 0], [0], method.name)
+scene.export("a.glb", format="glb", max_angle=1e-3)
+passes: bool = twrench.check(motion, body, units="deg").passes
+share: float | None = twrench.compare("a", "b", metric="ssim").frames[0].share
+scene.render("a.mp4", container="mp4", progress=lambda done, total: print(done))
+"""
+
+#: Calls that a type checker must reject, one per line.
+WRONG = """
+import twrench
+from twrench import Body, Box, Scene
+Scene("phone", sise=(1, 2))
+Scene("phone", theme=4)
+Scene("phone", theme="dark")
+Scene("phone", omega="fast")
+Box(size="hello")
+Box(size=(1, 2, 3), material="gold")
+Box((1, 2, 3), 1)
+Body(moments="abc")
+twrench.simulate(Body(moments=[1, 2, 3]), [1, 0, 0], [0], "RK4")
+twrench.simulate(Body(moments=[1, 2, 3]), [1, 0, 0], [0], attitude="up")
+twrench.study(Body(moments=[1, 2, 3]), [1, 0, 0], ["rk5"], duration=1)
+Scene().export("a.glb", format="gltf")
+twrench.check("a.csv", units="hz")
+twrench.compare("a", "b", metric="psnr")
+"""
+
+
+def mypy_errors(folder: Path, text: str) -> list[int]:
+    """The numbers of the lines with errors in a program."""
+    file = folder / "use.py"
+    file.write_text(text)
+    command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports"]
+    command += ["--cache-dir", str(folder / "cache"), str(file)]
+    output = subprocess.run(command, capture_output=True, text=True, cwd=PACKAGE.parent).stdout
+    return sorted({int(line.split(":")[1]) for line in output.splitlines() if ": error:" in line})
+
+
+def test_mypy_accepts_right_calls_and_rejects_each_wrong_one(tmp_path):
+    pytest.importorskip("mypy")
+    assert mypy_errors(tmp_path, RIGHT) == []
+    assert mypy_errors(tmp_path, WRONG) == list(range(4, len(WRONG.splitlines()) + 1))
+
 
 def test_mypy_accepts_the_package_and_sees_mistakes_of_its_users(tmp_path):
     pytest.importorskip("mypy")
     mypy = [sys.executable, "-m", "mypy", "--cache-dir", str(tmp_path / "cache")]
-    strict = subprocess.run(
-        [*mypy, "--strict", "--ignore-missing-imports", str(PACKAGE)], capture_output=True, text=True
-    )
+    mypy.append("--ignore-missing-imports")
+    strict = subprocess.run([*mypy, "--strict", str(PACKAGE)], capture_output=True, text=True)
     assert strict.returncode == 0, strict.stdout
     file = tmp_path / "use.py"
     file.write_text(USE)

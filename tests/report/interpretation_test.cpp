@@ -36,7 +36,7 @@ TEST(Interpretation, OfABodyThatTurnsOver) {
   EXPECT_THAT(of_scene("dzhanibekov", 5), HasSubstr("the first flip is at 11.8 s"));
 }
 
-// It does not begin with a rotation about the intermediate axis.
+// The motion does not begin with a rotation about the intermediate axis.
 TEST(Interpretation, OfABodyThatTurnsOverFarFromItsUnstableAxis) {
   const std::string text = of_moments({1, 1.01, 2}, {1, 0.5, 0.1});
   EXPECT_THAT(text, HasSubstr("turns over"));
@@ -58,7 +58,7 @@ TEST(Interpretation, OfMotionsWithoutFlips) {
   EXPECT_THAT(of_moments({1, 2, 3}, {0, 0, 0}), HasSubstr("at rest"));
 }
 
-// 1e6 times the size, and as slow.
+// The moments are 1e12 times as large; the rates are the same.
 TEST(Interpretation, DoesNotDependOnTheScale) {
   const std::string small = of_moments({1e-6, 2e-6, 2.5e-6}, {10, 1, 0}),
                     large = of_moments({1e6, 2e6, 2.5e6}, {10, 1, 0});

@@ -1,4 +1,4 @@
-// The captions of the film that explains why a body turns over, held against the dynamics.
+// Checks the captions of the film that explains why a body turns over against the dynamics.
 #include <gtest/gtest.h>
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/exact.h>
@@ -142,7 +142,7 @@ TEST(Explain, TheMomentumStaysAndTheAngularVelocityWanders) {
 TEST(Explain, InTheRotatingFrameItOnlyLeans) {
   const Told told("almost at rest");
   EXPECT_EQ(told.shot.scene.camera.frame, Frame::rotating);
-  // Both frames meet after whole turns, and the camera has less than half a turn to go to.
+  // Both frames coincide after whole turns, and the camera moves by less than half a turn.
   EXPECT_NEAR(std::remainder(told.begin(), 2 * std::numbers::pi), 0, 1e-9);
   EXPECT_LT(told.shot.time_of(told.shot.move) - told.begin(), std::numbers::pi);
   for (const double t : told.times()) EXPECT_LT(told.tilt(t), 0.15);
@@ -150,7 +150,8 @@ TEST(Explain, InTheRotatingFrameItOnlyLeans) {
 
 TEST(Explain, TheTiltDoublesEvery1point9Seconds) {
   const Told told("every 1.9 s");
-  const motion::Stability stability = motion::stability(told.properties.moments, 1, 1);
+  const motion::Stability stability =
+      motion::stability(told.properties.moments, body::PrincipalAxes::intermediate, 1);
   EXPECT_NEAR(stability.doubling_time(), 1.9, 0.05);
   EXPECT_EQ(told.shot.speed.fastest(), 1) << "the seconds are those of the video";
   for (double t = told.begin(); t + 1.9 <= told.end(); t += 0.1) {
@@ -163,7 +164,7 @@ TEST(Explain, TheBarPullsBackAndTheLegWins) {
   EXPECT_EQ(told.begin(), Told("every 1.9 s").end()) << "it goes on";
   EXPECT_EQ(told.shot.speed.at(2), 0) << "and stands still";
   // The torque of the centrifugal forces on each part about the axis of the tilt, per tilt and
-  // squared rate: the sum of m (r_x^2 - r_d^2), with d the direction in which x leans.
+  // squared rate, is the sum of m (r_x^2 - r_d^2), with d the direction in which x leans.
   const motion::Sample sample = told.exact.at(told.end());
   const Vector3d momentum = sample.X.transpose() * told.body.momentum().normalized();
   const Vector3d lean = -Vector3d(0, momentum.y(), momentum.z()).normalized();

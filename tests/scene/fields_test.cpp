@@ -9,8 +9,8 @@
 namespace twrench::scene {
 namespace {
 
-/// The scene file that docs/scene-files.md shows: the lines set off by four spaces, from the title
-/// to the next paragraph.
+/// The scene file in docs/scene-files.md: the lines indented by four spaces, from the title to the
+/// next paragraph.
 std::string documented_scene() {
   std::ifstream file(TWRENCH_TESTS_DIR "/../docs/scene-files.md");
   std::string text, line;

@@ -1,4 +1,5 @@
-// Parts that are meshes: where their files are, what is made of them, and what is said of bad ones.
+// Parts that are meshes: the location of their files, the resulting parts, and the errors for bad
+// files.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ using testing::HasSubstr;
 constexpr const char* tetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// Without its fourth face.
+/// A tetrahedron without its fourth face.
 constexpr const char* open_tetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
 
@@ -34,7 +35,7 @@ class MeshPart : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  /// The scene of a file in the folder, whose part has the file and these keys.
+  /// A scene file in the folder with one part, which has the mesh file and these keys.
   Scene load(const std::string& keys, const std::string& file = "t.obj") {
     write("some.toml", "[[part]]\nshape = 'mesh'\nfile = '" + file + "'\n" + keys + "\n");
     return load_scene((folder_ / "some.toml").string());
@@ -53,7 +54,7 @@ class MeshPart : public testing::Test {
   ScratchFolder folder_;
 };
 
-// A few kilobytes of text would take minutes, once for each scale.
+// A few kilobytes of scene file would take minutes if each scale read the mesh again.
 TEST_F(MeshPart, IsNotReadTooOftenInOtherSizes) {
   std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   constexpr int copies = 20'000;

@@ -24,7 +24,7 @@ motion::ExactMotion exact_motion(const Scene& scene) {
       motion::FreeBody(mass_properties(scene.body).inertia, scene.motion.omega));
 }
 
-/// An OBJ file of a prism along z over a regular polygon of that radius, or a box over 4 corners.
+/// An OBJ file of a prism along z over a regular polygon of that radius; 4 corners give a box.
 std::string prism(int corners, double radius, double length) {
   std::ostringstream text;
   text.precision(17);

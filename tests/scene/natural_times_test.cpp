@@ -53,7 +53,7 @@ TEST(NaturalTimes, ScaleWithTheMotion) {
 }
 
 TEST(NaturalTimes, ShowTheNutationOfABodyThatDoesNotTurnOver) {
-  // A symmetric body whose momentum goes round in its frame in 2 pi / (0.5 cos(0.2)) s.
+  // A symmetric body in whose frame the momentum circles in 2 pi / (0.5 cos(0.2)) s.
   const NaturalTimes top = times_of({2, 2, 3}, {std::sin(0.2), 0, std::cos(0.2)});
   EXPECT_EQ(top.duration, 100);  // 16 turns are more than three periods of 12.8 s
   const NaturalTimes slow = times_of({10, 10, 11}, {std::sin(0.2), 0, std::cos(0.2)});

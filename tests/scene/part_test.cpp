@@ -1,4 +1,4 @@
-// The [[part]] tables of a scene file: shapes, mass, place and look.
+// The [[part]] tables of a scene file: shapes, mass, placement and look.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -129,7 +129,7 @@ TEST(Part, HasItsOwnLook) {
   EXPECT_EQ(look("material = 'wood'").color, wood.color);
   EXPECT_EQ(look("material = 'wood'").metallic, 0);
   EXPECT_EQ(look("material = 'wood'").roughness, wood.roughness);
-  // Whatever the order in which they are written.
+  // The order of the keys does not matter.
   EXPECT_EQ(look("color = '#102030'\nmaterial = 'wood'").color, (Color{16, 32, 48}));
   EXPECT_EQ(look("metallic = 0.5\nmaterial = 'wood'\nroughness = 0.1").roughness, 0.1);
   EXPECT_EQ(look("metallic = 0.5\nmaterial = 'wood'\nroughness = 0.1").color, wood.color);

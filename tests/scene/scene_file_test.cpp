@@ -164,7 +164,7 @@ TEST(SceneFile, MomentsAlone) {
   EXPECT_EQ(visible_parts(scene.body).size(), 1u);
 }
 
-// Not every integer is a double; others are rounded, as decimal numbers are.
+// Integers that no double represents are rounded, like decimal numbers.
 TEST(SceneFile, WholeNumbersOfAnySizeAreRead) {
   const Scene scene = parse_scene(
       "[body]\nmoments = [9007199254740993, 9223372036854775807, 9007199254740992]", "m.toml");

@@ -1,4 +1,4 @@
-// That the bodies of the zoo are and move as their files say.
+// The bodies of the zoo have the properties and motions stated in their files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/motion/exact.h>
@@ -16,11 +16,7 @@ using std::numbers::pi;
 
 constexpr double day = 86400.0;
 
-motion::FreeBody free_body(const Scene& scene) {
-  return motion::FreeBody(mass_properties(scene.body).inertia, scene.motion.omega);
-}
-
-/// The mean period in s with which a body axis goes round the angular momentum, over `duration`.
+/// The mean period in s with which a body axis circles the angular momentum, over `duration`.
 double precession_period(const Scene& scene, const Vector3d& axis, double duration) {
   const motion::ExactMotion exact(free_body(scene));
   const Vector3d L = mass_properties(scene.body).inertia * scene.motion.omega;
@@ -57,8 +53,8 @@ INSTANTIATE_TEST_SUITE_P(Zoo, Flipping,
                            return name;
                          });
 
-// The camera fits the body into the shorter side: in a picture that is taller than wide, less would
-// cut off the satellite's ends.
+// The camera fits the body into the shorter side of the picture. In a tall picture a smaller
+// distance would cut off the ends of the satellite.
 TEST(Zoo, TheSatelliteFitsIntoAPictureOfAnyShape) {
   for (const Shot& shot : load_scene("explorer-1").shots) {
     EXPECT_GE(shot.scene.camera.distance, 1.0);

@@ -1,5 +1,5 @@
-// The honesty of an embedded pair's error estimate E: it is compared with the true local error of
-// the accepted steps, relative to the exact motion restarted at each step.
+// Compares the error estimate E of an embedded pair with the true local error of the accepted
+// steps, relative to the exact motion restarted at each step.
 #include <gtest/gtest.h>
 #include <twrench/motion/stepper.h>
 #include <twrench/study/estimate.h>
@@ -24,7 +24,7 @@ EstimateQuality quality(const motion::FreeBody& body, std::string_view method, d
   return check.quality();
 }
 
-// The promise for a tolerance T: no accepted step is off by more than 1.5 T, or than 8 T for T
+// The documented bound for a tolerance T: no accepted step is off by more than 1.5 T, or 8 T for T
 // above 1e-9, where steps are long and E is a coarse estimate. The worst of 4000 random bodies were
 // at 1.4 T and 6.2 T.
 double stated_factor(double tolerance) { return tolerance > 1e-9 ? 8.0 : 1.5; }
@@ -52,7 +52,7 @@ TEST(Estimate, RkmkKeepsItsToleranceOnRandomBodies) {
   }
 }
 
-// The last term bounds all omitted ones: the series meets its tolerance without any factor.
+// The last term bounds all omitted ones, so the series meets its tolerance without any factor.
 TEST(Estimate, TaylorKeepsItsTolerance) {
   constexpr double round_off = 1e-14;
   motion::RandomBodies random;
@@ -72,9 +72,9 @@ TEST(Estimate, TaylorKeepsItsTolerance) {
   }
 }
 
-// Both rows of the printed pair omit the same term, (h^3/12) omega x omega', which their difference
-// therefore cannot see: the true error is a thousand times the tolerance, and the ratio grows as
-// the tolerance decreases.
+// Both rows of the printed pair omit the same term, (h^3/12) omega x omega', so their difference
+// does not include it. The true error is a thousand times the tolerance, and the ratio grows as the
+// tolerance decreases.
 TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
   const motion::FreeBody wrench = motion::reference_case("wrench-a").body;
   double before = 0;
@@ -87,7 +87,7 @@ TEST(Estimate, RkfAsPrintedBreaksItsTolerance) {
   EXPECT_GT(before, 1e5);
 }
 
-/// true/E of one step from X = Id.
+/// Returns true/E of one step from X = Id.
 double ratio(const motion::FreeBody& body, std::string_view method, double h) {
   const Eigen::Matrix3d start = Eigen::Matrix3d::Identity();
   const motion::Step step = motion::take_step(body, motion::find_method(method), start, h);

@@ -57,8 +57,8 @@ TEST(FlipSearch, DoesNotCountTheStart) {
   EXPECT_NEAR(seen[0], predicted[0], 1e-12);
 }
 
-// I = (3, 5, 9), L = (0, 2, 0.01), steps of 0.1 s: flips are 59.0554 s apart. Known independently
-// to the digits given here.
+// With I = (3, 5, 9), L = (0, 2, 0.01) and steps of 0.1 s, flips are 59.0554 s apart. The values
+// are known independently to the digits given here.
 TEST(FlipSearch, RungeKuttaAsPrintedFlipsTooLateAndUnevenly) {
   const motion::FreeBody body(Vector3d(3, 5, 9).asDiagonal(), {0, 2.0 / 5, 0.01 / 9});
   EXPECT_NEAR(motion::ExactMotion(body).flips()->interval, 59.055443523193, 1e-9);

@@ -42,7 +42,7 @@ TEST(FittedExponent, OfAPowerLawWithAStrayPoint) {
   for (const double h : {0.4, 0.2, 0.1, 0.05, 0.025, 0.0125}) {
     points.push_back({h, 7 * std::pow(h, 3)});
   }
-  points.back().y *= 100;  // for example round-off
+  points.back().y *= 100;  // such as from round-off
   EXPECT_NEAR(fitted_exponent(points).value(), 3, 1e-12);
 }
 

@@ -45,7 +45,7 @@ TEST(BoundedQueue, NeverHoldsMoreThanItsCapacity) {
   std::thread producer([&] {
     for (int i = 0; i < items; ++i) {
       queue.push(i);
-      // Those inside, and one that the consumer has taken but not counted yet.
+      // Items inside, and one that the consumer has taken but not counted yet.
       const int inside = i + 1 - taken;
       if (inside > most) {
         most = inside;

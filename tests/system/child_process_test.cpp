@@ -28,7 +28,7 @@ namespace {
 bool vmsplice_is_there = true;
 }
 
-/// Replaces the C library's.
+/// Replaces the C library's function.
 extern "C" ssize_t vmsplice(int pipe, const iovec* pages, std::size_t count, unsigned flags) {
   if (vmsplice_is_there) return ::syscall(SYS_vmsplice, pipe, pages, count, flags);
   errno = ENOSYS;
@@ -63,7 +63,7 @@ TEST(ChildProcess, GetsEveryByte) {
   EXPECT_EQ(read_file(scratch / "out", 20'000'000), twice);
 }
 
-/// With the real call or, as in a sandbox, without.
+/// With the real call or, as in a sandbox, without it.
 class LentBytes : public testing::TestWithParam<bool> {
  protected:
   LentBytes() { vmsplice_is_there = GetParam(); }
@@ -207,7 +207,7 @@ TEST(ChildProcess, ThatTakesNothingIsKilled) {
   ChildProcess child(shell("echo busy >&2; : >'" + begun + "'; sleep 1000"), {milliseconds(200)});
   ASSERT_TRUE(soon([&] { return std::filesystem::exists(begun); }));
   EXPECT_FALSE(child.write(bytes(10'000'000)));
-  EXPECT_TRUE(child.hung());
+  EXPECT_TRUE(child.timed_out());
   EXPECT_EQ(child.wait(), 128 + SIGKILL);
   EXPECT_EQ(child.error_output(), "busy\n");
 }
@@ -215,9 +215,9 @@ TEST(ChildProcess, ThatTakesNothingIsKilled) {
 TEST(ChildProcess, ThatDoesNotEndIsKilled) {
   for (const char* script : {"cat >/dev/null; sleep 1000", "exec 2>&-; cat; sleep 1000"}) {
     ChildProcess child(shell(script), {milliseconds(200)});
-    EXPECT_TRUE(child.write(bytes(1000)));  // which the pipe holds, if the child starts late
+    EXPECT_TRUE(child.write(bytes(1000)));  // the pipe holds these if the child starts late
     EXPECT_EQ(child.wait(), 128 + SIGKILL);
-    EXPECT_TRUE(child.hung());
+    EXPECT_TRUE(child.timed_out());
   }
 }
 
@@ -243,7 +243,7 @@ TEST(ChildProcess, MayTakeItsTimeWhileItTakesSomething) {
       {milliseconds(2500)});
   EXPECT_TRUE(child.write(bytes(8'000'000)));
   EXPECT_EQ(child.wait(milliseconds(10'000)), 0);
-  EXPECT_FALSE(child.hung());
+  EXPECT_FALSE(child.timed_out());
 }
 
 TEST(ChildProcess, ThatIsNotThereIsToldAtOnce) {

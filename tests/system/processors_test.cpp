@@ -52,7 +52,7 @@ TEST(ProcessorLimit, IsReadFromVersionOneToo) {
   EXPECT_EQ(limit(scratch), 3);
 }
 
-// As in a container, where the group is the mount but keeps its name outside.
+// In a container, the group is the mount but keeps its name outside.
 TEST(ProcessorLimit, IsFoundAtTheMountWhereTheGroupIsNot) {
   const ScratchFolder scratch;
   write(scratch / "groups", "0::/../docker/1234\n");

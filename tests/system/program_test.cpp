@@ -6,9 +6,9 @@ namespace twrench::system {
 namespace {
 
 TEST(LastWords, AreTheEndOfTheOutputOnOneLine) {
-  EXPECT_EQ(last_words("first\nsecond\n\n"), "first; second");
-  EXPECT_EQ(last_words(std::string(1000, 'x') + "end"), std::string(597, 'x') + "end");
-  EXPECT_EQ(last_words("\n"), "it printed no message");
+  EXPECT_EQ(error_summary("first\nsecond\n\n"), "first; second");
+  EXPECT_EQ(error_summary(std::string(1000, 'x') + "end"), std::string(597, 'x') + "end");
+  EXPECT_EQ(error_summary("\n"), "it printed no message");
 }
 
 TEST(ShellCommand, QuotesWhatAShellWouldTakeApart) {

@@ -23,7 +23,7 @@ TEST(CsvReader, ReadsNamesAndRows) {
   EXPECT_THAT(table.rows, ElementsAre(ElementsAre(0, 1.5, -2e-3), ElementsAre(0.1, 1.25, 3)));
 }
 
-// Each as other programs write it.
+// Each separator as other programs write it.
 TEST(CsvReader, ReadsEverySeparator) {
   for (const char* text :
        {"t,w\n0,1.5\n2,3\n", "t;w\n0;1.5\n2;3\n", "t\tw\n0\t1.5\n2\t3\n", "t|w\n0|1.5\n2|3\n",
@@ -86,7 +86,7 @@ TEST(CsvReader, DoesNotGuessWhatACommaIs) {
               AllOf(StartsWith("run:3: '2,345' may have a decimal comma, or one that groups"),
                     HasSubstr("decimal point")));
   EXPECT_THAT(table_error_of("t;w\n0;1,5\n1;2.5\n"), HasSubstr("run:3: the column 'w': '2.5' is"));
-  // Commas that part both cells and decimals: the rows are twice as long as the header.
+  // Commas separate both cells and decimals, so rows have twice as many cells as the header.
   EXPECT_THAT(file_error_of("t,w\n0,5,1,5\n"),
               AllOf(StartsWith("run:2: the row has 4 cells, but there are 2 columns"),
                     HasSubstr("semicolons")));
@@ -131,7 +131,8 @@ TEST(CsvReader, SaysThatThereAreNoRows) {
 }
 
 TEST(CsvReader, RefusesAQuotedCellThatGoesOn) {
-  EXPECT_THAT(file_error_of("t,w\n0,\"1\n2\",3\n"), StartsWith("run:2: a quotation mark opens"));
+  EXPECT_THAT(file_error_of("t,w\n0,\"1\n2\",3\n"),
+              StartsWith("run:2: a quotation mark is not closed"));
 }
 
 TEST(CsvReader, RefusesLinesOfAnEarlierAge) {

@@ -55,7 +55,7 @@ TEST(Input, SaysWhatIsNoTable) {
   EXPECT_THAT(file_error_of(wide + "\n" + wide + "\n1\n"), HasSubstr("it has 16385 columns"));
 }
 
-// Whatever is asked for, near the ends of what is held and of the input.
+// Requests near the ends of the buffer and of the input.
 TEST(Window, ShowsTheBytesAskedFor) {
   std::string bytes;
   for (int i = 0; i < 400'000; ++i) bytes += static_cast<char>('a' + i % 26);

@@ -33,7 +33,7 @@ TEST(JsonReader, ReadsALineForEachRow) {
               ElementsAre(ElementsAre(0, 1), ElementsAre(1, 2)));
 }
 
-// As `simulate` writes it, and with other things before and behind the samples.
+// As `simulate` writes it, and with other values before and after the samples.
 TEST(JsonReader, ReadsTheSamplesOfADocument) {
   const Table table = read_table(
       R"({"scene": {"name": "a]}", "samples": [1]}, "samples": [
@@ -69,7 +69,7 @@ TEST(JsonReader, SaysWhatIsNoTable) {
   EXPECT_THAT(file_error_of("[{\"a"), HasSubstr("the file ends within a string"));
   EXPECT_THAT(file_error_of("[[1, 2]\n [3, 4]]"),
               StartsWith("run:2: there is '[' where ',' is due"));
-  EXPECT_THAT(file_error_of("[[1, 2]] 3"), HasSubstr("more behind the end"));
+  EXPECT_THAT(file_error_of("[[1, 2]] 3"), HasSubstr("more text after the end"));
   EXPECT_THAT(file_error_of("{\"samples\": [[1]], \"a\": 1"), HasSubstr("the file ends where '}'"));
   EXPECT_THAT(file_error_of("[" + std::string(1000, '[')), HasSubstr("nested more than 8 deep"));
   EXPECT_THAT(file_error_of("[[1, 2,,]]"), HasSubstr("is no JSON at its byte 7"));
@@ -79,8 +79,8 @@ TEST(JsonReader, KeepsItsMemoryBounded) {
   std::string one = "[[0";
   while (one.size() < JsonCursor::max_bytes) one += ",1000000000000";
   EXPECT_THAT(file_error_of(one + "]]"), HasSubstr("longer than 1048576 bytes"));
-  // Columns, where rows are wanted.
-  EXPECT_THAT(file_error_of("{\"t\": " + one + "]]}"), HasSubstr("rows are wanted"));
+  // Columns instead of rows.
+  EXPECT_THAT(file_error_of("{\"t\": " + one + "]]}"), HasSubstr("expected an array of rows"));
 }
 
 TEST(JsonReader, ReadsRowsAcrossTheEndsOfItsBuffers) {

@@ -25,7 +25,7 @@ std::string numpy_file(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A file of version 1 with this header, and zeros behind it.
+/// A file of version 1 with this header, followed by zeros.
 std::string npy(const std::string& header, std::size_t zeros) {
   std::string file = "\x93NUMPY";
   file += '\x01';

@@ -12,7 +12,7 @@
 
 namespace twrench::table {
 
-/// A table in memory: all of its columns, unless some are named by index.
+/// A table in memory: all columns, or those selected by index.
 struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
@@ -33,7 +33,7 @@ inline Table read_table(std::string_view bytes, std::vector<std::size_t> columns
   return table;
 }
 
-/// The message and remedy of the error of this kind, in one line; says so where there is none.
+/// The message and remedy of the error of this kind, in one line; "no error" if there is none.
 template <typename Kind>
 std::string error_of(std::string_view bytes, const std::vector<std::size_t>& columns = {}) {
   try {
@@ -44,12 +44,12 @@ std::string error_of(std::string_view bytes, const std::vector<std::size_t>& col
   return "no error";
 }
 
-/// Of a file that cannot be read.
+/// The error of a file that cannot be read.
 inline std::string file_error_of(std::string_view bytes) {
   return error_of<system::FileError>(bytes);
 }
 
-/// Of a table that does not serve.
+/// The error of a table that is unusable.
 inline std::string table_error_of(std::string_view bytes) { return error_of<BadTable>(bytes); }
 
 }  // namespace twrench::table

@@ -103,7 +103,7 @@ TEST(FilmTimeline, ThePreviousShotGoesOnWhileItIsSeen) {
   EXPECT_FALSE(film.frame(40).previous);
 }
 
-// The share is s^2 (3 - 2 s) of the share s of the time: at rest at both ends.
+// The share is s^2 (3 - 2 s), where s is the share of the time, so that it rests at both ends.
 TEST(FilmTimeline, FadesAndCameraMovesStartAndEndGently) {
   const scene::Scene scene = story_of_three();  // fade = 1 s, move = 2 s, from frame 20 at 10 fps
   const FilmTimeline film(scene, frames_of_all_shots(scene));
@@ -211,7 +211,7 @@ TEST(FilmTimeline, BlursOverTheMotionOfItsFrame) {
   scene::Scene scene = story_of_three();
   for (scene::Shot& shot : scene.shots) {
     shot.scene.look.motion_blur = 2;
-    shot.scene.film.width = shot.scene.film.height = 16;  // where two poses are enough
+    shot.scene.film.width = shot.scene.film.height = 16;  // so small that two poses suffice
   }
   const FilmTimeline film(scene, {10, 49});
   const motion::ExactMotion motion(film.solutions(0)[0].body);

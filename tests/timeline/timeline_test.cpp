@@ -109,7 +109,7 @@ TEST(Timeline, BlursOverHalfTheFramesTimeAboutItsInstant) {
   EXPECT_EQ(instant.blur[1].X, motion.at(10 + 0.0125).X);
 }
 
-// A comb of poses is seen when they are farther apart than a few pixels.
+// Poses look like a comb if they are more than a few pixels apart.
 TEST(Timeline, BlursWithAsManyPosesAsTheSpeedNeeds) {
   scene::Scene scene = turning_over();
   scene.film.width = 1920;

@@ -45,7 +45,8 @@ class EarlierRunTest : public testing::Test {
                                   format_manifest(written));
   }
 
-  /// Returns whether the frame on disk is kept for a run that wants `changed` of the record.
+  /// Returns whether the frame on disk is kept for a run that wants the record with `change`
+  /// applied.
   bool is_kept(const std::function<void(FrameRecord&)>& change) {
     FrameRecord wanted = record;
     change(wanted);

@@ -64,7 +64,7 @@ std::vector<int> encode_and_count(const std::filesystem::path& folder,
   return heard;
 }
 
-/// The error that ends it, of that type, without a film.
+/// The error of type `Kind` that stops encoding without leaving a film.
 template <typename Kind>
 Kind failure(const ScratchFolder& scratch) {
   std::optional<Kind> failure;
@@ -124,7 +124,7 @@ TEST(EncodeFrames, RefusesAFileThatIsNotTheOneDrawn) {
   system::write_file_atomically(scratch / "frames/frame_000002.png",
                                 image::encode_png(gray(32, 16, 99)));
   const auto error = failure<FramesError>(scratch);
-  EXPECT_THAT(error.what(), HasSubstr("frame_000002.png: it is not the file"));
+  EXPECT_THAT(error.what(), HasSubstr("frame_000002.png: its contents do not match"));
   EXPECT_EQ(error.reason(), FramesError::Reason::altered);
   EXPECT_THAT(error.frames(), ElementsAre(2));
   EXPECT_THAT(scratch.names(), ElementsAre("frames"));

@@ -66,7 +66,7 @@ std::string probe(const ScratchFolder& scratch, const std::string& film) {
   return {text.begin(), text.end()};
 }
 
-/// The error with which encoding many frames ends.
+/// The error that stops the encoding of many frames.
 template <typename Expected>
 Expected failure(const std::filesystem::path& output) {
   try {
@@ -119,8 +119,8 @@ TEST(Encoder, KeepsColours) {
   }
 }
 
-// A dark gradient of one hue, as the floor's, dithered: stretched five times, it must not show
-// patches of other hues.
+// A dithered dark gradient of one hue, like that of the floor. Stretched five times, it must not
+// show patches of other hues.
 TEST(Encoder, KeepsTheHueOfADarkGradient) {
   constexpr VideoFormat wide{640, 360, 30.0};
   image::Image image(wide.width, wide.height, 3);
@@ -204,7 +204,7 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
   const auto background = std::make_shared<image::StaticBands>();
   for (int k = 0; k < 4; ++k) {
     image::Image frame = flat({20, 60, 90});
-    const image::Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // elsewhere in each frame
+    const image::Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // at another place in each frame
     for (int y = area.y; y < area.y + area.height; ++y) {
       for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i) {
         frame
@@ -384,7 +384,7 @@ TEST(Encoder, TakesRatesThatAreNotWhole) {
   }
 }
 
-/// What ffprobe says of the chapters: start, end and title of each.
+/// ffprobe's list of the chapters, with start, end and title of each.
 std::string chapters_in(const ScratchFolder& scratch, const std::string& film) {
   const std::string out = (scratch / (film + ".chapters")).string();
   run_command(
@@ -425,8 +425,8 @@ TEST(Encoder, StreamsChapters) {
   EXPECT_THAT(chapters_in(scratch, "film.mp4"), HasSubstr("0.100000,0.200000,flip"));
 }
 
-/// A square that moves over a gradient, in an odd size; with alpha, its right third is faint, and
-/// the gradient transparent.
+/// A square that moves over a gradient, in a picture of an odd size. With alpha, the right third of
+/// the square is faint, and the gradient is transparent.
 image::Image square_at(int k, int channels) {
   image::Image image(65, 47, channels);
   for (int y = 0; y < 47; ++y) {
@@ -453,7 +453,7 @@ std::pair<std::vector<std::uint8_t>, std::string> animated(const ScratchFolder& 
   for (int k = 0; k < 10; ++k) encoder.write(square_at(k, channels));
   encoder.finish();
   const std::string base = (scratch / name).string();
-  // The Python of the system, whose packages the set-up installs.
+  // The system's Python has the packages that the set-up installs.
   run_command(
       "/usr/bin/python3 -c \"import sys; from PIL import Image, ImageSequence as S; i = "
       "Image.open('" +
@@ -486,13 +486,13 @@ TEST(AnimatedImage, ShowsItsFramesForEver) {
   }
 }
 
-/// How long the frames are shown, from what animated() returns, in ms.
+/// The durations of the frames in ms, from the result of animated().
 std::vector<int> durations_in(const std::string& said) {
   std::istringstream words(said.substr(said.find('\n')));
   return {std::istream_iterator<int>(words), {}};
 }
 
-// GIF counts hundredths of a second, and browsers show a frame for no less than two.
+// GIF counts hundredths of a second, and browsers show a frame for at least two.
 TEST(AnimatedImage, LeavesOutFramesThatAreTooFast) {
   using ::testing::AllOf, ::testing::Each, ::testing::Ge, ::testing::Le, ::testing::SizeIs;
   const ScratchFolder scratch;

@@ -34,7 +34,7 @@ Manifest head(const std::string& range) {
           .frames = {}};
 }
 
-/// Outlives the sequences.
+/// A record that outlives the sequences.
 const FrameRecord& record(int frame) {
   static const std::vector<FrameRecord> records = [] {
     std::vector<FrameRecord> result(100);
@@ -114,7 +114,7 @@ TEST(FrameSequence, WithoutAFrameTouchesNoManifest) {
   EXPECT_EQ(system::read_file(scratch / manifest_name, 100).size(), 14U);
 }
 
-// So that no run ever finds frames whose origin is unknown.
+// Otherwise another run could find frames of unknown origin.
 TEST(FrameSequence, HasAManifestBeforeAFrame) {
   const ScratchFolder scratch;
   Manifest shard = head("0-9");

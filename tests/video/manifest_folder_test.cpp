@@ -93,7 +93,7 @@ TEST(ManifestFolder, RefusesTwoDigestsOfOneFrame) {
   EXPECT_EQ(frame_numbers(read_manifests(scratch.path())).size(), 10U) << "twice the same is one";
   other.frames[0].sha256 = std::string(64, 'b');
   put(scratch, other);
-  EXPECT_THAT(failure(scratch), HasSubstr("two different frames 5"));
+  EXPECT_THAT(failure(scratch), HasSubstr("different digests for frame 5"));
 }
 
 TEST(ManifestFolder, NeedsAManifest) {

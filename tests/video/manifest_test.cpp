@@ -168,8 +168,9 @@ TEST(Manifest, SaysWhereItIsWrong) {
 
 TEST(Manifest, RefusesFramesOutOfOrderTwiceOrOutsideItsRange) {
   for (const char* frame : {"\"frame\":3", "\"frame\":1", "\"frame\":4", "\"frame\":11"}) {
-    EXPECT_THAT(failure("\"frame\":5", frame),
-                HasSubstr("cannot use m.json: frames must be in the range and in ascending order"));
+    EXPECT_THAT(
+        failure("\"frame\":5", frame),
+        HasSubstr("cannot use m.json: frames must be in ascending order and inside the range"));
   }
 }
 

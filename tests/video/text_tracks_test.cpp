@@ -49,7 +49,7 @@ TEST(Chapters, AreNamedAfterTheLastFlip) {
   EXPECT_EQ(chapter_title(1, 0.31254), "flip 1 at 0.313 s");
 }
 
-// A player that is sent to a chapter shows the frame that is seen at its millisecond.
+// A player that jumps to a chapter shows the frame at that millisecond.
 TEST(Chapters, BeginNoEarlierThanTheirFrames) {
   EXPECT_EQ(chapter_metadata({{0, 1.0 / 60, "start"}, {1.0 / 60, 3, "flip 1 at 2 s"}}),
             ";FFMETADATA1\n[CHAPTER]\nTIMEBASE=1/1000\nSTART=0\nEND=17\ntitle=start\n"

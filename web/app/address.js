@@ -1,4 +1,4 @@
-// The page's address, which holds the state: follows it, and has it say what the state is.
+// Keeps the state in the page's address: reads it when the address changes, and updates it.
 import { messageOf, showNote } from './dom.js';
 import { linkTo, readLink } from './link.js';
 import { word } from '../words/words.js';
@@ -9,14 +9,14 @@ import { word } from '../words/words.js';
 /** @import { State } from './types' */
 
 const delay = 400; // ms after a change: browsers limit how often the address changes
-const mostIgnored = 5; // that the note lists
+const mostIgnored = 5; // unknown parameters listed in the note
 
 export class Address {
   /**
    * @param {Store} store @param {Record<string, Reader>} known
    * @param {Player} player
    * @param {(values: Partial<State>) => void} go Puts the page into the state of a link; throws an
-   *   Error for one in which it cannot be.
+   *   Error if that state is impossible.
    */
   constructor(store, known, player, go) {
     this.store = store;
@@ -29,7 +29,7 @@ export class Address {
     addEventListener('hashchange', () => this.follow());
   }
 
-  /** Takes over what the address says. */
+  /** Applies the state in the address. */
   follow() {
     if (location.hash === this.own) return;
     const { values, ignored } = readLink(location.hash, this.known);
@@ -41,7 +41,7 @@ export class Address {
     showNote('note', ignored.length ? word('ignored', ignored.slice(0, mostIgnored).join(', ')) : '');
   }
 
-  /** Has the address say soon what the state is; not while playing, when it always changes. */
+  /** Schedules an update of the address; not while playing, because the state then changes all the time. */
   #keep() {
     if (this.timer !== undefined || this.player.playing) return;
     this.timer = setTimeout(() => this.#write(), delay);
@@ -53,11 +53,11 @@ export class Address {
     try {
       history.replaceState(null, '', this.own || location.pathname + location.search);
     } catch {
-      // An <iframe> in a sandbox has no address of its own; the button to copy the link is there still.
+      // A sandboxed <iframe> has no address that can change; the button that copies the link still works.
     }
   }
 
-  /** What the address has after the page's own for the state. */
+  /** The part of the address that holds the state. */
   get #hash() {
     const hash = linkTo(this.store.state, this.store.initial);
     return hash ? `#${hash}` : '';

@@ -1,9 +1,10 @@
-// The page at work.
+// The running page.
 import { Announcer } from '../panels/announcer.js';
 import { ComparePanel } from '../panels/compare.js';
 import { Components } from '../panels/components.js';
 import { DataTable } from '../panels/data_table.js';
 import { BodyPanel, StartPanel } from '../panels/start.js';
+import { listenToKeys } from '../panels/keys.js';
 import { Timeline } from '../panels/timeline.js';
 import { Tour } from '../panels/tour.js';
 import { Transport } from '../panels/transport.js';
@@ -12,6 +13,7 @@ import { setLanguage } from '../words/words.js';
 import tour from '../tour/tour.json';
 import { diagonal } from '../core/core.js';
 import { firstOf } from '../core/motion.js';
+import { norm } from '../math/linear.js';
 import { byId } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
@@ -19,7 +21,7 @@ import { figuresOf, MotionModel, samplesShown, spunAbout } from './motion_model.
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
-import { initialState, Store } from './state.js';
+import { initialState, powerOfTwo, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
 import { chartColors, lightTheme, setThemeColors } from './theme.js';
 
@@ -28,10 +30,11 @@ import { chartColors, lightTheme, setThemeColors } from './theme.js';
 /** @import { PageData, State } from './types' */
 /** @typedef {{width: number, height: number, t?: number, theme?: string, show?: string[]}} PictureOptions */
 
-const times = ['t', 'from']; // what changes at each picture while it plays
-const mostPixels = 4096; // of a side of a picture
+const times = ['t', 'from']; // values that change in each frame while it plays
+const mostPixels = 4096; // per side of a picture
 const prefersLight = matchMedia('(prefers-color-scheme: light)');
 const prefersStill = matchMedia('(prefers-reduced-motion: reduce)');
+const usualPush = 0.05; // deviation from the intermediate axis, as a fraction of the angular velocity
 const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
@@ -55,6 +58,10 @@ export class App {
       flip: (direction) => this.transport.toFlip(direction),
       step: (direction) => this.transport.step(direction),
       toggle: () => player.play(!player.playing),
+    });
+    listenToKeys({
+      toggle: () => player.play(!player.playing),
+      step: (direction) => this.transport.step(direction),
     });
     this.components = new Components(byId('components'), store, invalidate);
     this.startPanel = new StartPanel(store, data, () => this.model);
@@ -97,7 +104,7 @@ export class App {
   }
 
   /**
-   * Puts the page into the state of a link. Throws a CoreError for a motion that there cannot be.
+   * Puts the page into the state of a link. Throws a CoreError if the motion is impossible.
    * @param {Partial<State>} values
    */
   #go(values) {
@@ -111,7 +118,7 @@ export class App {
   }
 
   /** Puts the page into the state of a step of the tour. @param {TourStep} step */
-  #enter({ spin, push, state, play }) {
+  #enter({ spin, push, state, play, flips, flipSeconds, radiansOfStep }) {
     const { initial } = this.store,
       { lang, theme, tour: number } = this.store.state,
       { values } = readLink(state, this.known);
@@ -122,6 +129,12 @@ export class App {
     if (Math.min(middle - least, greatest - middle) < 0.01 * greatest) next.moments = threeMoments;
     const body = this.#modelOf(next);
     next.omega = spunAbout(body, ['least', 'middle', 'greatest'].indexOf(spin), push);
+    const flipping = this.#modelOf({ ...next, omega: spunAbout(body, 1, usualPush) }),
+      interval = flipping.facts.flips?.interval ?? initial.length / flips;
+    next.length = Number((1.02 * flips * interval).toPrecision(2));
+    next.speed = powerOfTwo(interval / flipSeconds);
+    if (radiansOfStep) next.step = Number((radiansOfStep / norm(next.omega)).toPrecision(2));
+    flipping.release();
     body.release();
     this.store.set(next);
     this.pictures.follow();

@@ -23,17 +23,17 @@ export function element(tag, className = '', text = '') {
   return made;
 }
 
-/** Shows a text, and only while there is one. @param {string} id @param {string} text */
+/** Shows a note with this text, or hides it if the text is empty. @param {string} id @param {string} text */
 export function showNote(id, text) {
   const note = byId(id);
-  if (note.textContent !== text) note.textContent = text; // a screen reader reads it again otherwise
+  if (note.textContent !== text) note.textContent = text; // otherwise a screen reader would read it again
   note.hidden = text === '';
 }
 
 /** @param {string} id @param {() => void} act */
 export const onClick = (id, act) => byId(id).addEventListener('click', act);
 
-/** The select with that id; set() is called with what is chosen. @param {string} id @param {(value: any) => void} set */
+/** The select with that id; set() is called with the chosen value. @param {string} id @param {(value: any) => void} set */
 export function selectOf(id, set) {
   /** @type {HTMLSelectElement} */
   const select = byId(id);
@@ -44,7 +44,7 @@ export function selectOf(id, set) {
 /**
  * Radio buttons; set() is called with the value of the chosen one.
  * @param {string} name @param {(value: any) => void} set
- * @returns {(value: string) => void} shows which is chosen
+ * @returns {(value: string) => void} checks the button with this value
  */
 export function radiosOf(name, set) {
   /** @type {NodeListOf<HTMLInputElement>} */
@@ -66,8 +66,8 @@ export function tableRow(head, cells) {
 export const messageOf = (error) => (error instanceof Error ? error.message : String(error));
 
 /**
- * Calls act() with the share of the width, less a margin at both sides, at which a pointer is pressed or
- * dragged.
+ * Calls act() with the position of a pressed or dragged pointer as a fraction of the width between the
+ * margins.
  * @param {HTMLElement} box @param {number} margin @param {(share: number) => void} act
  * @param {string[]} [ignored] Kinds of pointers.
  */

@@ -1,10 +1,10 @@
-// The state in the address, after the #: what differs from the page as it opens, as key=value pairs
-// a person can read. Whatever does not make sense is left out and reported.
-import { features, speeds } from './state.js';
+// The state in the address, after the #: the differences from the initial state, as readable
+// key=value pairs. Invalid pairs are ignored and reported.
+import { features } from './state.js';
 
 /** @import { PageData, State } from './types' */
 
-/** @typedef {(text: string) => any} Reader  of a value; undefined if it makes no sense */
+/** @typedef {(text: string) => any} Reader  parses a value; returns undefined if it is invalid */
 
 /** @param {string} text */
 const numberIn = (text) => (/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN);
@@ -27,7 +27,7 @@ const numbers = (ranges) => (text) => {
 /** @param {readonly string[]} words @returns {Reader} */
 const oneOf = (words) => (text) => (words.includes(text) ? text : undefined);
 
-/** As many of the words as `count`; or else any, each at most once. @param {readonly string[]} words @param {number} [count] @returns {Reader} */
+/** Exactly `count` of the words; without `count` any number of them, each at most once. @param {readonly string[]} words @param {number} [count] @returns {Reader} */
 const someOf = (words, count) => (text) => {
   const found = text === '' ? [] : text.split(',');
   const fits = count === undefined ? new Set(found).size === found.length : found.length === count;
@@ -35,7 +35,7 @@ const someOf = (words, count) => (text) => {
 };
 
 /**
- * How each value of the state is read.
+ * The reader of each value of the state.
  * @param {PageData} data @param {readonly string[]} methods @param {number} tourSteps
  * @returns {Record<string, Reader>}
  */
@@ -43,7 +43,7 @@ export function readers({ limits, themes }, methods, tourSteps) {
   const moments = numbers([limits.moment, limits.moment, limits.moment]);
   return {
     t: number(0, limits.time[1]),
-    speed: (text) => speeds.find((speed) => speed === numberIn(text)),
+    speed: number(1e-12, 1e12),
     omega: numbers([limits.omega, limits.omega, limits.omega]),
     moments: (text) => {
       const values = moments(text);
@@ -58,7 +58,7 @@ export function readers({ limits, themes }, methods, tourSteps) {
       [0.25, 8],
     ]),
     from: number(0, limits.time[1]),
-    length: number(1e-3, limits.time[1]),
+    length: number(1e-12, limits.time[1]),
     compare: oneOf(['off', 'beside', 'ghost']),
     methods: someOf(methods, 2),
     step: number(limits.step[0], limits.step[1]),
@@ -72,7 +72,7 @@ export function readers({ limits, themes }, methods, tourSteps) {
  * Reads a link.
  * @param {string} hash With or without its #.
  * @param {Record<string, Reader>} known
- * @returns {{values: Partial<State>, ignored: string[]}} `ignored` is text that anybody may have written.
+ * @returns {{values: Partial<State>, ignored: string[]}} `ignored` is untrusted text.
  */
 export function readLink(hash, known) {
   /** @type {Record<string, any>} */
@@ -99,7 +99,7 @@ function decoded(pair) {
 }
 
 /**
- * The link to a state: only what differs from the state in which the page opens.
+ * The link to a state: only its differences from the initial state.
  * @param {State} state @param {State} initial
  */
 export function linkTo(state, initial) {

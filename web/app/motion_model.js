@@ -1,16 +1,16 @@
-// The motion that is shown, with what the views need of it, computed once.
+// The motion that is shown, with the data that several views need, computed once.
 import { add, clamp, column, norm, scale } from '../math/linear.js';
-import { brief } from '../words/words.js';
+import { brief, duration } from '../words/words.js';
 
 /** @import { Core } from '../core/core.js' */
 /** @import { State } from './types' */
 
-const radiansOfTrail = 12; // how far the body rotates in the time that a trail covers
+const radiansOfTrail = 12; // rotation of the body in the time that a trail covers
 
 export class MotionModel {
   /**
    * @param {Core} core @param {number[]} inertia 9 numbers, g cm^2 @param {number[]} omega rad/s
-   * @param {number} [trailLength] s; by default that of a rotation by 12 rad
+   * @param {number} [trailLength] s; default: the time of a rotation by 12 rad
    */
   constructor(core, inertia, omega, trailLength) {
     this.motion = core.motion(inertia, omega);
@@ -53,9 +53,9 @@ function principalAxis({ facts }, i) {
 }
 
 /**
- * The angular velocity about a principal axis, as fast as the motion is, with a push to the side.
+ * An angular velocity about a principal axis with the same rate as the motion, and a push to the side.
  * @param {MotionModel} model @param {number} i Index of the axis, least moment first.
- * @param {number} push As a share of the rate.
+ * @param {number} push As a fraction of the rate.
  */
 export function spunAbout(model, i, push) {
   const rate = norm(model.omega) || 1,
@@ -65,7 +65,7 @@ export function spunAbout(model, i, push) {
 }
 
 /**
- * What the tour says of a motion in numbers.
+ * The numbers of a motion that the tour's texts contain.
  * @param {MotionModel} model
  * @returns {Record<string, string>}
  */
@@ -73,9 +73,9 @@ export function figuresOf({ facts, omega }) {
   const [least, middle, greatest] = facts.moments;
   const rate = norm(omega) * Math.sqrt(((greatest - middle) * (middle - least)) / (least * greatest));
   return {
-    interval: brief(facts.flips?.interval ?? Infinity),
-    first: brief(facts.flips?.first ?? Infinity),
-    doubling: brief(Math.LN2 / rate),
+    interval: duration(facts.flips?.interval ?? Infinity),
+    first: duration(facts.flips?.first ?? Infinity),
+    doubling: duration(Math.LN2 / rate),
     moments: facts.moments.map((moment) => brief(moment)).join(', '),
   };
 }
@@ -93,8 +93,8 @@ export function trailTimes(t, length, rate) {
 }
 
 /**
- * The motion as the command line that the page gives has it computed: exactly, or by the first of
- * the methods that are compared. Throws a CoreError where that method cannot.
+ * The motion as the command line shown on the page computes it: exactly, or by the first of the
+ * compared methods. Throws a CoreError if that method cannot compute it.
  * @param {State} state @param {MotionModel} model @param {number[]} times
  */
 export function samplesShown({ compare, methods, step, tolerance }, { motion }, times) {

@@ -1,4 +1,4 @@
-// What twrench page writes into the page: see src/page/page_json.h.
+// Reads the data that twrench page writes into the page: see src/page/page_json.h.
 import { surfaceOf } from '../picture/surface.js';
 import { inflated } from '../picture/unpacking.js';
 import { byId } from './dom.js';

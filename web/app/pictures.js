@@ -1,4 +1,4 @@
-// The views: their contents, and how they are turned and dragged by hand.
+// The views: updates their contents, and handles turning and dragging.
 import { Pictures as CorePictures } from '../core/pictures.js';
 import { BodyView } from '../views/body_view.js';
 import { InsetView } from '../views/inset_view.js';
@@ -13,7 +13,7 @@ import { framesPerSecond } from './player.js';
 /** @import { State } from './types' */
 
 const pointsOfHerpolhode = 1200,
-  widestTurn = 0.35; // rad between two of them
+  widestTurn = 0.35; // rad between two points of the herpolhode
 
 export class Pictures {
   /**
@@ -52,7 +52,7 @@ export class Pictures {
     event.preventDefault();
   }
 
-  /** Has the body's view go where the state says. */
+  /** Moves the camera of the body's view to the viewpoint of the state. */
   follow() {
     const [azimuth, elevation, zoom] = this.store.state.view;
     this.bodyView.view = { azimuth, elevation, zoom };
@@ -64,7 +64,7 @@ export class Pictures {
     return source.samples(trailTimes(t, model.trailLength, Math.hypot(...model.omega)));
   }
 
-  /** What the views depend on beside the motion. @param {MotionModel} model @param {string} theme */
+  /** The settings of the views, beside the motion. @param {MotionModel} model @param {string} theme */
   #settings(model, theme) {
     const { state } = this.store,
       { scene } = this.data,
@@ -98,7 +98,7 @@ export class Pictures {
     };
   }
 
-  /** What the body view shows. @param {MotionModel} model @param {string} theme */
+  /** The contents of the body view. @param {MotionModel} model @param {string} theme */
   #bodyPicture(model, theme) {
     const sources = this.runs.runners.length ? this.runs.runners : [model.motion];
     return {
@@ -109,7 +109,7 @@ export class Pictures {
     };
   }
 
-  /** The surface of the body that is chosen. */
+  /** The surface of the chosen body. */
   get #surface() {
     const { moments } = this.store.state;
     if (!moments) return this.data.surface;
@@ -120,7 +120,7 @@ export class Pictures {
   /**
    * Draws the views.
    * @param {MotionModel} model @param {string} name of the theme @param {any} theme
-   * @returns {number[]} the attitude that is shown
+   * @returns {number[]} the attitude shown
    */
   draw(model, name, theme) {
     const picture = this.#bodyPicture(model, name);

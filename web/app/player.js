@@ -1,8 +1,8 @@
-// Lets the time of the motion go on, and the page be drawn only when something has changed.
+// Advances the time of the motion, and redraws the page only when something has changed.
 import { clamp } from '../math/linear.js';
 
 export const framesPerSecond = 60; // of the film, and of most displays
-const longestFrame = 0.1; // s: a tab that was hidden does not jump
+const longestFrame = 0.1; // s, so that time does not jump after a tab was hidden
 
 export class Player {
   /**
@@ -15,11 +15,11 @@ export class Player {
     this.playing = false;
     this.requested = false;
     this.last = 0;
-    /** @type {(() => void)[]} Called when it begins to play or pauses. */
+    /** @type {(() => void)[]} Called when play starts or pauses. */
     this.listeners = [];
   }
 
-  /** Has the page drawn with the next picture of the display. */
+  /** Schedules a redraw of the page with the display's next frame. */
   invalidate() {
     if (this.requested) return;
     this.requested = true;
@@ -52,7 +52,7 @@ export class Player {
 }
 
 /**
- * Goes to the time t; the timeline follows, by whole lengths of itself.
+ * Goes to the time t, and shifts the timeline by whole multiples of its length if necessary.
  * @param {import("./state.js").Store} store @param {number} t
  */
 export function seek(store, t) {
@@ -61,7 +61,7 @@ export function seek(store, t) {
 }
 
 /**
- * Where a timeline begins that shows t: where it does, or whole lengths of it further on.
+ * The beginning of a timeline that shows t: the present one, shifted by a whole multiple of the length.
  * @param {{t: number, from: number, length: number}} state
  */
 export function pageOf({ t, from, length }) {

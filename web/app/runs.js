@@ -1,21 +1,21 @@
-// The two methods that are compared, each under way along the motion, and how far they are from it.
+// Runs the two compared methods along the motion, and computes their deviation from it.
 import { messageOf } from './dom.js';
 
 /** @import { Run } from '../core/core.js' */
 /** @import { MotionModel } from './motion_model.js' */
 /** @import { State } from './types' */
 
-const millisecondsOfFrame = 6; // that both methods together may take
+const millisecondsOfFrame = 6; // that both methods together may use
 const stepsAtOnce = 400;
 
-/** A method under way. */
+/** Runs a method. */
 class Runner {
   /** @param {MotionModel} model @param {string} method @param {{step: number, tolerance: number}} control */
   constructor(model, method, control) {
     this.model = model;
     this.method = method;
     this.exact = method === 'exact';
-    /** What stopped it. */
+    /** The error that stopped it. */
     this.failure = '';
     this.reached = 0;
     /** @type {Run | null} */
@@ -27,7 +27,7 @@ class Runner {
     }
   }
 
-  /** Goes on towards t for a while. @param {number} t s @param {number} deadline ms */
+  /** Advances towards t until the deadline. @param {number} t s @param {number} deadline ms */
   advance(t, deadline) {
     if (!this.run || this.failure || this.reached >= t) return;
     try {
@@ -39,13 +39,13 @@ class Runner {
     }
   }
 
-  /** Whether it knows the motion at t. @param {number} t */
+  /** Whether it has reached t. @param {number} t */
   knows(t) {
     return this.exact || (this.reached >= t && t >= 0);
   }
 
   /**
-   * The samples at times up to the last that it knows.
+   * The samples at those of the times that it has reached.
    * @param {number[]} times ascending
    */
   samples(times) {
@@ -54,7 +54,7 @@ class Runner {
     return this.run.samples(known.length ? known : [this.reached]);
   }
 
-  /** The flips until t, in its own solution. @param {number} t */
+  /** The flips until t in the method's solution. @param {number} t */
   flipsUntil(t) {
     if (!this.run) return this.exact ? this.model.flipsUntil(t) : 0;
     return this.run.flipTimes().filter((time) => time <= t).length;
@@ -77,7 +77,7 @@ export class Runs {
   }
 
   /**
-   * Starts the methods of the state anew if something they depend on has changed.
+   * Restarts the methods of the state if something they depend on has changed.
    * @param {State} state @param {MotionModel} model
    */
   prepare({ compare, methods, step, tolerance }, model) {
@@ -89,7 +89,7 @@ export class Runs {
     if (key) this.runners = methods.map((method) => new Runner(model, method, { step, tolerance }));
   }
 
-  /** Ends the methods; to be called before their motion is released. */
+  /** Ends the methods; must be called before their motion is released. */
   stop() {
     for (const runner of this.runners) runner.release();
     this.runners = [];
@@ -97,9 +97,9 @@ export class Runs {
   }
 
   /**
-   * Lets the methods go on towards t.
+   * Advances the methods towards t.
    * @param {number} t
-   * @returns {boolean} whether one of them has not reached it yet
+   * @returns {boolean} whether any of them still has to reach it
    */
   advance(t) {
     const start = performance.now();

@@ -1,14 +1,26 @@
-// The state of the page: everything that a link to it holds. One object, replaced as a whole at each
-// change, so that a view can compare what it drew.
+// The state of the page, which a link contains. It is one object, replaced as a whole at each change, so
+// that a view can compare the new state with the one that it drew.
 import { clamp } from '../math/linear.js';
 
 /** @import { State } from './types' */
 
 export const features = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
-export const speeds = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((power) => 2 ** power);
 
 /**
- * The language of the page that a reader understands best.
+ * The speeds offered: nine powers of 2 around 1, shifted if necessary to include the scene's speed.
+ * @param {number} speed The scene's, in seconds of motion per second.
+ */
+export function speedsAbout(speed) {
+  const power = Math.log2(powerOfTwo(speed)),
+    middle = power - clamp(power, -4, 4);
+  return [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((offset) => 2 ** (middle + offset));
+}
+
+/** The largest power of 2 that is at most 1.1 times a speed. @param {number} speed */
+export const powerOfTwo = (speed) => 2 ** Math.floor(Math.log2(1.1 * speed));
+
+/**
+ * The page's language that comes first among the reader's.
  * @param {readonly string[]} languages As in navigator.languages.
  * @returns {State["lang"]}
  */
@@ -18,7 +30,7 @@ export function languageOf(languages) {
 }
 
 /**
- * The state in which the page of a scene opens.
+ * The initial state of the page of a scene.
  * @param {import("./types").PageData} data
  * @param {readonly string[]} languages The reader's, as in navigator.languages.
  * @returns {State}
@@ -27,7 +39,7 @@ export function initialState({ scene }, languages) {
   const compared = scene.overlay.compare ?? [];
   return {
     t: 0,
-    speed: 2 ** clamp(Math.floor(Math.log2(scene.film.speed)), -4, 4),
+    speed: powerOfTwo(scene.film.speed),
     omega: scene.motion.omega,
     moments: null,
     theme: 'auto',
@@ -56,7 +68,7 @@ export class Store {
     this.listeners = [];
   }
 
-  /** @param {Listener} listener Is called after each change. */
+  /** @param {Listener} listener Called after each change. */
   subscribe(listener) {
     this.listeners.push(listener);
   }

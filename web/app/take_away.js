@@ -1,5 +1,5 @@
-// What the reader takes away as text: the command line of the motion as a film, its scene file, its
-// data.
+// The texts that the reader can copy or save: the command line that renders the motion as a film, its
+// scene file, its data.
 import { clamp } from '../math/linear.js';
 import { word } from '../words/words.js';
 import { samplesShown } from './motion_model.js';
@@ -10,7 +10,7 @@ import { features } from './state.js';
 
 const mostRows = 20001;
 
-/** A word for a shell. @param {string} text */
+/** Quotes a word for a shell. @param {string} text */
 const quoted = (text) => (/^[\w./:@%+=,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
 /** @param {string} option @param {number | string | string[] | number[]} value */
@@ -22,7 +22,7 @@ const differ = (a, b) => String(a) !== String(b);
 
 /**
  * The values of the scene that the state changes, by table and key of scene files.
- * @param {State} state @param {PageData} data @param {string} theme The one that is shown.
+ * @param {State} state @param {PageData} data @param {string} theme The one shown.
  * @returns {[string, string, any][]}
  */
 function changes(state, data, theme) {
@@ -53,14 +53,14 @@ function changes(state, data, theme) {
   return all.filter(([table, key, value]) => differ(value, given[table]?.[key]));
 }
 
-/** What is shown of the film beside what can be chosen here. @param {State} state @param {PageData} data */
+/** The items to show: those of the film that cannot be chosen on the page, and the chosen ones. @param {State} state @param {PageData} data */
 function shownFeatures({ show }, { scene }) {
   return [...scene.overlay.show.filter((/** @type {string} */ name) => !features.includes(name)), ...show];
 }
 
 /**
- * How to make a film of what is shown where the page is of a film that tells a story: its shots are
- * not in the page, and each has its own motion and camera, so that no options make this one of it.
+ * The commands for the page of a film that tells a story. Its shots are not in the page, and each has its
+ * own motion and camera, so no options turn the story into the motion shown here.
  * @param {string} source
  */
 function storyCommands(source) {
@@ -84,7 +84,7 @@ function inertiaOf(body) {
 }
 
 /**
- * The command that makes this very motion as a film.
+ * The command that renders the motion shown as a film.
  * @param {State} state @param {PageData} data @param {string} theme
  */
 export function commandLine(state, data, theme) {
@@ -138,8 +138,8 @@ export function sceneFile(state, data, theme) {
 }
 
 /**
- * As many times as frames of the film, or every second, third ... of them, and both ends: with a
- * timeline from 0 those of twrench simulate, to the last digit.
+ * The times of the film's frames, or of every second, third ... one, with both ends. If the timeline
+ * starts at 0, they are exactly those of twrench simulate.
  * @param {State} state @param {number} fps
  */
 function timesOf({ from, length }, fps) {

@@ -1,8 +1,8 @@
-// The theme's colours for the page, and for what is drawn in two dimensions.
+// The theme's colours for the page and its charts.
 import { css } from '../views/canvas_view.js';
 
 /**
- * The theme for a reader who prefers light pages: the scene's own, or else the first light one.
+ * The theme for a reader who prefers light pages: the scene's if it is light, or else the first light one.
  * @param {import("./types").PageData} data @returns {string}
  */
 export function lightTheme({ scene, themes }) {
@@ -10,7 +10,7 @@ export function lightTheme({ scene, themes }) {
   return names.find((name) => themes[name].page.scheme === 'light') ?? scene.look.theme;
 }
 
-/** @type {any} The theme whose colours the style sheet has. */
+/** @type {any} The theme whose colours are set in the style sheet. */
 let shown = null;
 
 /** @param {any} theme of the page's data */

@@ -1,4 +1,4 @@
-// The state of the page, and what the program writes into it.
+// The state of the page, and the data that the program writes into it.
 
 export type FrameName = 'space' | 'body' | 'rotating';
 export type Comparison = 'off' | 'beside' | 'ghost';
@@ -10,20 +10,20 @@ export interface State {
   moments: number[] | null; // Of the body's x, y and z axes, g cm^2; null for the scene's body.
   theme: string; // One of the page's data, or `auto`.
   frame: FrameName;
-  show: string[]; // What is shown around the body.
+  show: string[]; // The items shown around the body.
   view: number[]; // Azimuth and elevation from the scene's camera, rad, and zoom.
-  from: number; // Where the timeline begins, s.
+  from: number; // Start of the timeline, s.
   length: number; // Of the timeline, s.
   compare: Comparison;
-  methods: string[]; // The two that are compared.
+  methods: string[]; // The two compared methods.
   step: number; // s
   tolerance: number;
   lang: 'en' | 'nb';
-  tour: number; // The step that is open, from 1; 0 for none.
+  tour: number; // The open step, from 1; 0 for none.
 }
 
 export interface SurfacePart {
-  side_begin: number; // In indices, where the side of a cylinder begins; else `end`.
+  side_begin: number; // Index at which the side of a cylinder begins; otherwise `end`.
   end: number;
   tint?: number[]; // The mean colour of its vertices, if they have colours.
   material: number; // Index in the materials of a theme.
@@ -32,7 +32,7 @@ export interface SurfacePart {
 export interface Surface {
   vertices: Float32Array; // Positions in body axes, cm, each with its normal.
   indices: Uint32Array;
-  colors: Uint16Array | null; // Linear, of the vertices, if a part has colours of its own.
+  colors: Uint16Array | null; // Linear colours of the vertices, if any part has them.
   parts: SurfacePart[];
   marked: boolean; // whether a stripe shows how a body of revolution turns.
   radius: number; // Bounding radius, cm.
@@ -41,15 +41,16 @@ export interface Surface {
   model: number[]; // The numbers from which the core computes uniforms.
 }
 
-/** What `twrench page` writes into the page: see src/page/page_json.h. */
+/** The data that `twrench page` writes into the page: see src/page/page_json.h. */
 export interface PageData {
-  source?: string; // what to write on the command line for the scene
+  source?: string; // the argument for the scene on the command line
   source_options?: string[]; // options that belong to it, if it is a mesh
   scene: Record<string, any>; // its values, with the keys of scene files
   source_scene?: Record<string, any>; // its values before the command line changed them
   inertia: number[]; // body axes, g cm^2, row by row
   surface: Surface;
   themes: Record<string, any>;
+  time_units: [number, number, string][]; // The longest first: the shortest time written in it, its length in s, its symbol.
   limits: {
     moment: number[];
     moment_ratio: number;

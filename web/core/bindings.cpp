@@ -1,6 +1,6 @@
-// What JavaScript calls (core.js). Arguments and results that are not single numbers lie in a
-// scratch area of doubles: a function reads its arguments from the beginning and leaves its results
-// there.
+// The functions that JavaScript calls (core.js). Arguments and results that are not single numbers
+// are in a scratch area of doubles: a function reads its arguments from the beginning of this area
+// and writes its results to the same place.
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
@@ -32,7 +32,7 @@ using page::Results;
 using page::RowMajor;
 using page::vector_at;
 
-/// Replaces the times at the beginning by the samples: all X, then all omega.
+/// Replaces the times at the beginning of the area by the samples: all X, then all omega.
 void write_samples(const std::vector<motion::Sample>& samples) {
   Results results(12 * samples.size());
   for (const motion::Sample& sample : samples) results << sample.X;
@@ -43,8 +43,8 @@ std::vector<double> times_at_beginning(std::size_t n) {
   return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-/// Each as the index of its shape in shapes(), its dimensions in their order, density, position and
-/// rotation.
+/// Reads parts, each as the index of its shape in shapes(), its dimensions in their order, density,
+/// position and rotation.
 std::vector<body::Part> parts_at_beginning(std::size_t count) {
   std::size_t next = 0;
   std::vector<body::Part> parts;
@@ -65,7 +65,7 @@ std::vector<body::Part> parts_at_beginning(std::size_t count) {
 
 extern "C" {
 
-/// Room for `count` doubles, whose first may already be set.
+/// Makes room for `count` doubles, the first of which may already be set.
 [[clang::export_name("scratch")]] double* scratch(std::size_t count) {
   if (numbers.size() < count) numbers.resize(count);
   return numbers.data();
@@ -102,7 +102,7 @@ extern "C" {
   return json.c_str();
 }
 
-/// The motion of the inertia and the omega in the scratch area.
+/// Creates the motion of the inertia and the omega in the scratch area.
 [[clang::export_name("motion_new")]] Motion* motion_new() {
   return new Motion{motion::FreeBody(matrix_at(0), vector_at(9))};
 }
@@ -134,8 +134,8 @@ extern "C" {
           .samples);
 }
 
-/// Of n times, attitudes and velocities: energies, energy drifts, orthogonality errors, momentum
-/// errors, and distances from the exact motion.
+/// Computes energies, energy drifts, orthogonality errors, momentum errors and distances from the
+/// exact motion of n samples: times, attitudes and velocities.
 [[clang::export_name("motion_diagnose")]] void motion_diagnose(const Motion* motion,
                                                                std::size_t n) {
   const std::vector<motion::Sample> exact = motion->exact.at(times_at_beginning(n), 1);
@@ -199,8 +199,9 @@ using twrench::page::RecordedRun;
   Results(3) << std::get<body::Box>(body::equimomental_box(vector_at(0).asDiagonal()).shape).size;
 }
 
-[[clang::export_name("stability_of")]] void stability_of(int axis, double omega) {
-  const motion::Stability found = motion::stability(vector_at(0), axis, omega);
+[[clang::export_name("stability_of")]] void stability_of(std::size_t axis, double omega) {
+  const motion::Stability found =
+      motion::stability(vector_at(0), body::PrincipalAxes::all.at(axis), omega);
   Results(2) << static_cast<double>(found.kind) << found.rate;
 }
 

@@ -3,8 +3,8 @@
  * in scene files; matrices are arrays of 9 numbers, row by row; vectors of 3. Body axes are the axes
  * in which the inertia matrix was given, X = space_from_body, and X(0) is the identity.
  *
- * Every call can throw a CoreError, whose message says what was wrong with which quantity; the objects
- * can be used afterwards as before.
+ * Every call can throw a CoreError, whose message names the quantity and the problem; the objects remain
+ * usable afterwards.
  */
 import { CoreError, Instance } from './instance.js';
 import { matrix, Motion, vector } from './motion.js';
@@ -37,7 +37,7 @@ export class Core {
     this.shapes = JSON.parse(instance.text(instance.call('shapes')));
   }
 
-  /** Throws a CoreError for a name that no method has. @param {string} name */
+  /** Throws a CoreError if no method has the name. @param {string} name */
   method(name) {
     const found = this.methods.find((method) => method.name === name);
     if (!found) throw new CoreError(`method: unknown name '${name}'`);
@@ -45,7 +45,7 @@ export class Core {
   }
 
   /**
-   * The motion of a body with that inertia, g cm^2, and that angular velocity at t = 0, body axes,
+   * The motion of a body with this inertia, g cm^2, and this angular velocity at t = 0, body axes,
    * rad/s. Throws unless the inertia is symmetric and positive definite.
    * @param {readonly number[]} inertia nine numbers
    * @param {readonly number[]} omega
@@ -67,7 +67,7 @@ export class Core {
     };
   }
 
-  /** A part as bindings.cpp reads it; a dimension that is not given is 0. @param {Part} part */
+  /** A part in the form that bindings.cpp reads; a missing dimension is 0. @param {Part} part */
   packed(part) {
     const index = this.shapes.findIndex(({ name }) => name === part.shape);
     if (index < 0) throw new CoreError(`shape: ${part.shape} is unknown`);
@@ -75,7 +75,7 @@ export class Core {
     return [index, ...dimensions, part.density, ...part.position, ...part.body_from_part];
   }
 
-  /** The box that is drawn for a body given by its moments about x, y, z. @param {Vector} moments */
+  /** The box to draw for a body given by its moments about x, y, z. @param {Vector} moments */
   equimomentalBox(moments) {
     const size = this.instance.compute(3, moments, 'equimomental_box');
     return /** @type {Part} */ ({
@@ -88,7 +88,7 @@ export class Core {
   }
 
   /**
-   * A steady rotation about the axis with that index.
+   * The stability of a steady rotation about the axis with this index.
    * @param {Vector} moments in any order
    * @param {number} axis 0, 1 or 2
    * @param {number} omega rad/s

@@ -1,24 +1,24 @@
 /**
- * The compiled core and its memory. C++ hands numbers over in a scratch area of doubles: JavaScript
- * writes the arguments to its beginning, calls, and reads the results from the same place.
+ * The compiled core and its memory. Numbers are passed in a scratch area of doubles: JavaScript writes
+ * the arguments to its beginning, calls a function, and reads the results from the same place.
  *
- * An exception of C++ arrives as a {@link CoreError}. Nothing was unwound then, so the instance is
- * replaced by a new one at the next call, and `generation` tells who holds a pointer into the old one.
+ * A C++ exception is thrown as a {@link CoreError}. The C++ stack was not unwound, so the next call
+ * replaces the instance by a new one. `generation` shows whether a pointer belongs to an old instance.
  */
 
-/** An error of the C++ core: "WHAT: WHY", as the program says it. */
+/** An error of the C++ core: "WHAT: WHY", in the program's words. */
 export class CoreError extends Error {
   /** @param {string} message */
   constructor(message) {
     super(message);
     this.name = 'CoreError';
-    /** What was not allowed or failed: "inertia", "tolerance", "method rk4". */
+    /** The subject of the error: "inertia", "tolerance", "method rk4". */
     this.quantity = message.split(':', 1)[0];
   }
 }
 
 /**
- * What bindings.cpp exports.
+ * The exports of bindings.cpp.
  * @typedef {Record<string, (...values: number[]) => number> & {memory: WebAssembly.Memory}} Exports
  */
 
@@ -33,7 +33,7 @@ export class Instance {
     this.revive();
   }
 
-  /** Makes a new instance if the last one was left by an exception. */
+  /** Makes a new instance if an exception ended the last one. */
   revive() {
     if (!this.dead) return;
     const nothing = () => 0;
@@ -72,7 +72,7 @@ export class Instance {
   }
 
   /**
-   * The scratch area with room for that many doubles. Later calls may move it.
+   * The scratch area with room for `count` doubles. Later calls may move it.
    * @param {number} count
    */
   scratch(count) {
@@ -81,7 +81,7 @@ export class Instance {
   }
 
   /**
-   * Writes numbers to the scratch area and calls.
+   * Writes numbers to the scratch area and calls an exported function.
    * @param {ArrayLike<number>} numbers @param {string} name @param {number[]} values
    */
   callWith(numbers, name, ...values) {
@@ -102,7 +102,7 @@ export class Instance {
     return this.scratch(count).slice();
   }
 
-  /** The text, terminated by 0, at an address. @param {number} begin */
+  /** The zero-terminated text at an address. @param {number} begin */
   text(begin) {
     const bytes = new Uint8Array(this.exports.memory.buffer);
     return new TextDecoder().decode(bytes.slice(begin, bytes.indexOf(0, begin)));

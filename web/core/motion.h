@@ -10,7 +10,7 @@ struct Motion {
   motion::FreeBody body;
   motion::ExactMotion exact{body};
   double initial_energy = motion::energy(body.inertia(), body.omega());
-  /// Tells it from others that lay in the same place.
+  /// Distinguishes it from earlier motions at the same address.
   int serial = ++count;
   static inline int count = 0;
 };

@@ -1,4 +1,4 @@
-/** One motion: exact at any t, and as methods step along it. */
+/** A motion: exact at any t, or integrated by a method. */
 /** @import { Core } from './core.js' */
 /** @import { Diagnostics, Facts, Kind, Matrix, Sample, Samples, StepControl, Vector } from './types' */
 /** @import { Instance } from './instance.js' */
@@ -11,7 +11,7 @@ export const vector = (numbers, from) => [numbers[from], numbers[from + 1], numb
 /** @param {Float64Array} numbers @param {number} from @returns {Matrix} */
 export const matrix = (numbers, from) => [...numbers.subarray(from, from + 9)];
 
-/** Something in C++ that is made again when the instance was replaced. */
+/** A C++ object that is created again after the instance was replaced. */
 export class Held {
   /** @param {Instance} instance @param {() => number} make @param {string} free */
   constructor(instance, make, free) {
@@ -41,7 +41,7 @@ export class Held {
 /** The sample at the first time. @param {Samples} samples @returns {Sample} */
 export const firstOf = ({ t, X, omega }) => ({ t: t[0], X: matrix(X, 0), omega: vector(omega, 0) });
 
-/** A motion or a run in C++; release() gives its memory back. */
+/** A motion or a run in C++; release() frees its memory. */
 class Sampled {
   /** @param {Instance} instance @param {() => number} make @param {"motion" | "run"} kind */
   constructor(instance, make, kind) {
@@ -50,7 +50,7 @@ class Sampled {
     this.held = new Held(instance, make, `${kind}_free`);
   }
 
-  /** Calls a function of C++ for it. @param {string} name @param {number[]} values */
+  /** Calls a C++ function with this object. @param {string} name @param {number[]} values */
   call(name, ...values) {
     return this.instance.call(`${this.kind}_${name}`, this.held.get(), ...values);
   }
@@ -61,8 +61,8 @@ class Sampled {
   }
 
   /**
-   * The samples at times in any order, s: of a motion the exact ones, also before 0; a run goes on until
-   * the last if need be.
+   * The samples at times in any order, s. A motion returns the exact ones, also before 0; a run advances
+   * to the last time if necessary.
    * @param {ArrayLike<number>} times
    */
   samples(times) {
@@ -117,8 +117,8 @@ export class Motion extends Sampled {
   }
 
   /**
-   * The motion as a method computes it, at exactly these times: what `twrench simulate --times` runs.
-   * Throws, for instance, where the step is longer than a turn of the body.
+   * The motion computed by a method at exactly these times, as by `twrench simulate --times`. Throws, for
+   * instance, if the step is longer than a turn of the body.
    * @param {string} method
    * @param {StepControl} control
    * @param {ArrayLike<number>} times s, in any order and of either sign
@@ -129,7 +129,7 @@ export class Motion extends Sampled {
     return this.compute('integrate', times, index, step, tolerance, mostSteps);
   }
 
-  /** How far samples are from the exact motion. @param {Samples} samples @returns {Diagnostics} */
+  /** The deviations of samples from the exact motion and from the conserved quantities. @param {Samples} samples @returns {Diagnostics} */
   diagnose(samples) {
     const n = samples.t.length;
     const numbers = new Float64Array(13 * n);
@@ -149,11 +149,11 @@ export class Motion extends Sampled {
   /** Flip n, s, counted from the first one after 0; NaN if there is none. @param {number} n */
   #flip(n) {
     const { first = NaN, interval = NaN } = this.facts.flips ?? {};
-    const t = n === 0 ? first : first + n * interval; // on the separatrix there is one
+    const t = n === 0 ? first : first + n * interval; // on the separatrix there is only one
     return Number.isFinite(t) ? t : NaN;
   }
 
-  /** A number of a flip near t; NaN where two flips are not two numbers. @param {number} t */
+  /** The number of a flip near t; NaN if numbers that large are no longer exact. @param {number} t */
   #flipNear(t) {
     const { first = NaN, interval = NaN } = this.facts.flips ?? {};
     const n = Math.floor((t - first) / interval);
@@ -161,7 +161,7 @@ export class Motion extends Sampled {
   }
 
   /**
-   * The instants of the flips with from < t <= to, s, both of either sign: at most the first `most`.
+   * The times of the flips with from < t <= to, s: at most the first `most`. Both limits may be negative.
    * @param {number} from @param {number} to @param {number} [most]
    */
   flipTimes(from, to, most = 1000) {
@@ -185,7 +185,7 @@ export class Motion extends Sampled {
   }
 
   /**
-   * A method that goes along the motion, forward from t = 0, and remembers its steps.
+   * A run of a method along the motion, forward from t = 0, which remembers its steps.
    * @param {string} method @param {StepControl} control
    */
   run(method, control) {
@@ -193,7 +193,7 @@ export class Motion extends Sampled {
   }
 }
 
-/** A method under way. It throws where the method cannot go on; what was computed can still be seen. */
+/** A run of a method. It throws if the method cannot continue; computed samples remain available. */
 export class Run extends Sampled {
   /** @param {Motion} motion @param {string} name @param {StepControl} control */
   constructor(motion, name, { step, tolerance }) {
@@ -207,8 +207,8 @@ export class Run extends Sampled {
   }
 
   /**
-   * Goes on until t or for `steps` steps, whichever comes first, and returns the time reached, s:
-   * for a page that must not be held up. Keeps at most half a million steps, and throws beyond.
+   * Advances to t or by `steps` steps, whichever comes first, and returns the time reached, s, so that
+   * a page is not blocked. Keeps at most half a million steps, and throws beyond.
    * @param {number} t @param {number} [steps]
    */
   advance(t, steps = 20000) {
@@ -230,7 +230,7 @@ export class Run extends Sampled {
     return this.call('evaluations');
   }
 
-  /** The instants of the flips in the method's own solution so far, s. @returns {Float64Array} */
+  /** The times of the flips in the method's solution so far, s. @returns {Float64Array} */
   flipTimes() {
     const count = this.call('flips');
     return this.instance.scratch(count).slice();

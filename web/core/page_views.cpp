@@ -34,7 +34,7 @@ scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
   scene.motion.omega = body.omega();
   scene.motion.duration = settings.curve_end - settings.curve_begin;
   scene.film.speed = 1;
-  scene.film.fps = 1 / settings.interval;  // infinite while the motion stands still
+  scene.film.fps = 1 / settings.interval;  // infinite while the motion is paused
   scene.look.theme = chosen<scene::Theme>(settings.theme);
   scene.camera.frame = chosen<scene::Frame>(settings.frame);
   scene.camera.azimuth = settings.azimuth;
@@ -73,15 +73,15 @@ picture::Layout::Pane pane_of(const Settings& settings) {
   return {.area = area, .focus = area, .thinnest = settings.thinnest};
 }
 
-/// A value, and what it was made for.
+/// A value, and the motion and settings for which it was made.
 template <typename Value>
-class Kept {
+class Cached {
  public:
   /// Returns the value. If the motion or a setting has changed, make() creates it again.
   template <typename Make>
   Value& get(const Motion& motion, const Settings& settings, Make make) {
     if (!value_ || serial_ != motion.serial || settings_ != settings) {
-      value_.reset();  // gives its memory to the next
+      value_.reset();  // frees its memory for the next one
       value_ = make();
       serial_ = motion.serial;
       settings_ = settings;
@@ -95,9 +95,9 @@ class Kept {
   Settings settings_;
 };
 
-Kept<picture::BodyView> body_pane;
-std::array<Kept<picture::SolutionView>, scene::insets.size()> inset_panes;
-Kept<std::vector<timeline::Solution>> inset_motion;  // for the curves of all insets
+Cached<picture::BodyView> body_pane;
+std::array<Cached<picture::SolutionView>, scene::insets.size()> inset_panes;
+Cached<std::vector<timeline::Solution>> inset_motion;  // for the curves of all insets
 ViewContents contents;
 
 /// An inset always shows its trail and labels.
@@ -113,7 +113,7 @@ std::unique_ptr<picture::SolutionView> make_inset(const Motion& motion, const Se
   return picture::inset_views[inset].make(scene, solutions, pane_of(settings));
 }
 
-/// The times at which a camera that turns with a frame has the arrows in view.
+/// The times at which the arrows must be in view of a camera that turns with a frame.
 std::vector<double> framed_times(const Motion& motion, double trail_length) {
   const auto flips = motion.exact.flips();
   const bool turns_over = flips && flips->swing >= std::numbers::pi / 2;

@@ -16,7 +16,7 @@ struct Settings {
   double theme = 0, frame = 0;                   ///< Indices of enumerators.
   double show = 0;                               ///< A bit for each feature.
   double azimuth = 0, elevation = 0;             ///< The home of the camera, rad.
-  double distance = 1;                           ///< In units of the one at which things just fit.
+  double distance = 1;                           ///< 1 is the one at which everything just fits.
   double field_of_view = 0.5;                    ///< That of the body's camera, rad.
   double interval = 0;                           ///< Seconds of motion in the time of one frame.
   double radius = 1;                             ///< Bounding radius of the body, cm.
@@ -59,7 +59,7 @@ picture::MomentumView& sphere_view(const Motion& motion, const Settings& setting
 /// Returns the direction from which an inset shows a motion best.
 picture::Viewpoint inset_home(const Motion& motion, const Settings& settings, std::size_t inset);
 
-// The contents of the views. Each call replaces those of the last.
+// The contents of the views. Each call replaces those of the previous call.
 
 const picture::ViewContents& body_contents(const Motion& motion, const Settings& settings,
                                            const picture::Viewpoint& from,

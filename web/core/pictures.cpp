@@ -1,5 +1,5 @@
-// The functions by which pictures.js gets the contents of the page's views. They are the film's
-// views of a motion at any time, seen by a camera that the user turns.
+// The functions that give pictures.js the contents of the page's views: the film's views of a
+// motion at any time, seen by a camera that the user turns.
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -59,8 +59,8 @@ void write_list(Results& results, const picture::DrawList& list) {
   }
 }
 
-/// Returns where a ray through a place of the picture, -1 to 1 across and up, meets the unit sphere
-/// about the origin; on its silhouette where the ray misses it.
+/// Returns the point at which a ray through a place of the picture, -1 to 1 across and up, meets
+/// the unit sphere about the origin; a point on its silhouette if the ray misses it.
 Vector3d on_sphere(const picture::Camera& camera, double x, double y) {
   const Eigen::Matrix4d& p = camera.projection;
   const Vector3d in_camera((x + p(0, 2)) / p(0, 0), (y + p(1, 2)) / p(1, 1), -1);
@@ -82,7 +82,7 @@ void write_camera(Results& results, const picture::Camera& camera) {
   results << camera.camera_from_space() << camera.distance << camera.projection;
 }
 
-/// Writes where the contents lie in memory.
+/// Writes the addresses of the contents in memory.
 void write_contents(const ViewContents& contents) {
   Results results(64);
   write_camera(results, contents.camera);
@@ -105,8 +105,8 @@ extern "C" {
 using namespace twrench;
 using namespace twrench::page;
 
-/// The names of the settings and of what they are chosen from: words separated by blanks, in lines
-/// of settings, themes, frames, features, and the features that are insets.
+/// The names of the settings and of their possible values, separated by blanks: lines of settings,
+/// themes, frames, features, and the features that are insets.
 [[clang::export_name("picture_names")]] const char* picture_names() {
   static std::string text;
   text.clear();
@@ -148,7 +148,7 @@ using namespace twrench::page;
   Results(2) << place.x() << place.y();
 }
 
-/// The omega with which the momentum starts at a place in the picture, -1 to 1 across and up.
+/// Writes the omega for a momentum that starts at a place in the picture, -1 to 1 across and up.
 [[clang::export_name("sphere_omega_at")]] void sphere_omega_at(const Motion* motion, double azimuth,
                                                                double elevation, double zoom,
                                                                double x, double y) {
@@ -156,7 +156,7 @@ using namespace twrench::page;
   write_omega(*motion, view, on_sphere(view.camera_from({azimuth, elevation, zoom}), x, y));
 }
 
-/// The omega with which it starts that far from where it does, in rad.
+/// Writes the omega for a momentum whose start is moved by angles in rad.
 [[clang::export_name("sphere_omega_moved")]] void sphere_omega_moved(const Motion* motion,
                                                                      double azimuth,
                                                                      double elevation, double zoom,
@@ -175,8 +175,8 @@ using namespace twrench::page;
       body_contents(*motion, settings, {azimuth, elevation, zoom}, read_state(arguments)));
 }
 
-/// The stars of a theme, `count` of them in the picture of the scene's own camera: of each the
-/// direction in space, the brightness and the tint.
+/// Writes the stars of a theme, `count` of them in the picture of the scene's camera: direction in
+/// space, brightness and tint of each.
 [[clang::export_name("theme_stars")]] const float* theme_stars(const Motion* motion, int count) {
   const picture::BodyView& view = body_view(*motion, settings_alone());
   static std::vector<float> stars;

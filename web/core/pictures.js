@@ -69,8 +69,8 @@ export class Pictures {
   }
 
   /**
-   * Calls a function of the core with a motion, settings, motions at one time, each with its trail, and
-   * other numbers.
+   * Calls a function of the core with a motion, settings, one or two motions at the same time, each with
+   * its trail, and other numbers.
    * @param {string} name @param {Motion} motion @param {Settings} settings @param {Samples[]} instants
    * @param {number[]} rest
    */
@@ -121,7 +121,7 @@ export class Pictures {
     return this.#contents();
   }
 
-  /** The stars of a theme: direction, brightness and tint of each. @param {Motion} motion @param {Settings} settings @param {number} count of those in the scene's own picture */
+  /** The stars of a theme: direction, brightness and tint of each. @param {Motion} motion @param {Settings} settings @param {number} count of those in the scene's picture */
   stars(motion, settings, count) {
     return floatsAt(this.instance, this.#call('theme_stars', motion, settings, [], count));
   }
@@ -134,7 +134,7 @@ export class Pictures {
   }
 
   /**
-   * Results that are numbers.
+   * Calls a function of the core that returns numbers.
    * @param {number} count @param {string} name @param {Motion} motion @param {Settings} settings @param {number[]} rest
    */
   #numbers(count, name, motion, settings, ...rest) {
@@ -164,7 +164,7 @@ export class Pictures {
   }
 
   /**
-   * The omega with which it starts that far, in rad, from where it does.
+   * The omega of a start that is moved by the angles `way`, in rad.
    * @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {number[]} way across and up
    */
   omegaMoved(motion, settings, { azimuth, elevation, zoom }, [right, up]) {
@@ -172,7 +172,7 @@ export class Pictures {
   }
 }
 
-/** Floats that C++ left at an address, and their number in the scratch area. @param {Instance} instance @param {number} begin */
+/** Floats that C++ wrote to memory; their address and their number are in the scratch area. @param {Instance} instance @param {number} begin */
 export function floatsAt(instance, begin) {
   const [count] = instance.scratch(1);
   return new Float32Array(instance.exports.memory.buffer, begin, count);

@@ -1,5 +1,5 @@
-// What the core needs of its surroundings, in a page: no threads, and exceptions that JavaScript
-// catches. Debian has no unwinder for WebAssembly, so nothing is unwound: core.js replaces the
+// Stubs for the facilities that a page lacks: threads, and exceptions, which JavaScript catches.
+// Debian has no unwinder for WebAssembly, so the stack is not unwound: instance.js replaces the
 // whole instance after an exception.
 
 #include <cstdint>
@@ -16,7 +16,7 @@ void* __cxa_allocate_exception(std::size_t size) { return std::malloc(size); }
 
 void __cxa_free_exception(void*) {}
 
-/// All that the core throws derives from std::exception, at its beginning.
+/// Every exception of the core derives from std::exception, which is at the start of the object.
 [[noreturn]] void __cxa_throw(void* thrown, void*, void (*)(void*)) {
   fail(static_cast<const std::exception*>(thrown)->what());
 }

@@ -12,7 +12,7 @@
 namespace twrench::page {
 namespace {
 
-/// 40 MB.
+/// These steps take 40 MB.
 constexpr std::size_t most_remembered = 500'000;
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 namespace twrench::page {
 
-/// A method that goes forward along a motion and remembers where its steps began, so that a page
+/// Integrates a motion forward with a method and records the beginning of each step, so that a page
 /// can show any time that was reached.
 class RecordedRun {
  public:
-  /// Throws OutOfRange for a step or a tolerance that cannot be.
+  /// Throws OutOfRange if the step or the tolerance is out of range.
   RecordedRun(const motion::FreeBody& body, const motion::Method& method,
               const motion::StepControl& control);
   RecordedRun(const RecordedRun&) = delete;
@@ -21,14 +21,14 @@ class RecordedRun {
   /// Takes steps until t in s is reached, but at most `most`. Throws MotionError.
   void advance(double t, std::size_t most);
 
-  /// Returns the sample at t >= 0 in s and takes the steps that are missing. Throws OutOfRange and
+  /// Returns the sample at t >= 0 in s, and takes missing steps if necessary. Throws OutOfRange and
   /// MotionError.
   motion::Sample at(double t);
 
   double reached() const { return propagator_->t(); }                      ///< s
   std::int64_t steps() const { return propagator_->steps(); }              ///< rejected ones too
   std::int64_t evaluations() const { return propagator_->evaluations(); }  ///< of omega
-  /// Returns the times of the flips in the method's own solution so far, s.
+  /// Returns the times of the flips in the method's solution so far, s.
   const std::vector<double>& flip_times() const { return flips_.times(); }
 
  private:

@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Adds stars by the random numbers of the film's.
+/// Adds stars with the random numbers of the film's stars.
 class Sky {
  public:
   explicit Sky(const picture::Camera& home) : home_(home) {}
 
   double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
 
-  /// A star at a place in the picture, -1 to 1 across and up.
+  /// Adds a star at a place in the picture, -1 to 1 across and up.
   void add_at(double x, double y) {
     const Eigen::Matrix4d& p = home_.projection;
     const Vector3d in_camera((x + p(0, 2)) / p(0, 0), (y + p(1, 2)) / p(1, 1), -1);
@@ -25,7 +25,7 @@ class Sky {
     add((home_.camera_from_space().transpose() * in_camera).normalized(), brightness, tint);
   }
 
-  /// A star in that direction, unless it is in the picture.
+  /// Adds a star in a direction, unless it is in the picture.
   void add_beside(const Vector3d& direction) {
     const auto [brightness, tint] = look();
     const Eigen::Matrix4d& p = home_.projection;
@@ -62,7 +62,7 @@ std::vector<float> stars_around(const picture::Camera& home, int count) {
     const double x = 2 * sky.uniform() - 1;
     sky.add_at(x, 1 - 2 * sky.uniform());
   }
-  // As many to the solid angle as there are in the picture.
+  // The same number per solid angle as in the picture.
   const double solid_angles = std::numbers::pi * home.projection(0, 0) * home.projection(1, 1);
   const int all = static_cast<int>(std::min(std::round(count * solid_angles), 6000.0));
   for (int i = 0; i < all; ++i) {

@@ -1,4 +1,4 @@
-/** A body in the core: the values of the uniforms with which it and the floor below it are drawn. */
+/** A body in the core, which computes the uniforms for drawing it and the floor below it. */
 import { Held } from './motion.js';
 import { floatsAt } from './pictures.js';
 

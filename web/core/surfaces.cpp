@@ -1,5 +1,5 @@
-// The values of the uniforms with which the page draws a body and the floor below it, and the box
-// of a body that is given by its moments.
+// Computes the uniforms with which the page draws a body and the floor below it, and the box of a
+// body given by its moments.
 
 #include <twrench/body/mass_properties.h>
 
@@ -26,10 +26,10 @@ using picture::Camera;
 using picture::Capsule;
 using picture::PartModel;
 
-/// A body as the page knows it: the mesh and the materials of the model are JavaScript's.
+/// A body without the mesh and the materials of its model, which JavaScript holds.
 struct Surface {
   BodyModel body;
-  std::vector<Ball> balls;  ///< That cast its shadow.
+  std::vector<Ball> balls;  ///< They cast its shadow.
 };
 
 /// The last results, as the floats that the shaders need.
@@ -87,8 +87,8 @@ extern "C" {
 using namespace twrench;
 using namespace twrench::page;
 
-/// The body whose bounding radius, parts and balls are in the scratch area, and then the tint of
-/// each part.
+/// Creates the body whose bounding radius, parts and balls are in the scratch area, followed by the
+/// tint of each part.
 [[clang::export_name("surface_new")]] Surface* surface_new() {
   Arguments arguments;
   auto* surface = new Surface{};
@@ -107,9 +107,9 @@ using namespace twrench::page;
   return surface;
 }
 
-/// The box of a body with the moments in the scratch area: where its vertices and indices are, and
-/// their numbers; the point that draws the trail; then what surface_new() reads, without the tint.
-/// Returns how many numbers these are.
+/// Writes the box of a body with the moments in the scratch area: the addresses of its vertices and
+/// indices, and their numbers; the point that draws the trail; then the arguments of surface_new()
+/// without the tint. Returns how many numbers these are.
 [[clang::export_name("box_surface")]] std::size_t box_surface() {
   static picture::Mesh mesh;
   scene::Scene scene;
@@ -134,8 +134,8 @@ using namespace twrench::page;
 
 [[clang::export_name("surface_free")]] void surface_free(const Surface* surface) { delete surface; }
 
-/// The uniforms of a body with the camera and the attitude X in the scratch area, or of its image
-/// in the floor: those of all parts, then those of each.
+/// Writes the uniforms of a body with the camera and the attitude X in the scratch area, or of its
+/// reflection in the floor: those of all parts, then those of each.
 [[clang::export_name("surface_uniforms")]] const float* surface_uniforms(const Surface* surface,
                                                                          bool mirrored) {
   Arguments arguments;
@@ -164,7 +164,7 @@ using namespace twrench::page;
   return written();
 }
 
-/// The uniforms of the floor below it: floor_from_place, right_and_height, and the balls.
+/// Writes the uniforms of the floor below it: floor_from_place, right_and_height, and the balls.
 [[clang::export_name("floor_uniforms")]] const float* floor_uniforms(const Surface* surface) {
   Arguments arguments;
   const Camera camera = read_camera(arguments);

@@ -1,4 +1,4 @@
-// What the core takes and returns. Units are cm, g, s and rad.
+// Arguments and results of the core. Units are cm, g, s and rad.
 
 export type Vector = [number, number, number];
 /** Nine numbers, row by row. */
@@ -19,13 +19,13 @@ export interface Samples {
   omega: Float64Array;
 }
 
-/** How far samples are from what is conserved, and from the exact motion. */
+/** Deviations of samples from the conserved quantities and from the exact motion. */
 export interface Diagnostics {
   energy: Float64Array; // 1/2 omega . (I omega), g cm^2/s^2
   energyDrift: Float64Array; // energy/energy(0) - 1
   orthogonalityError: Float64Array; // |X^T X - Id|, Frobenius
   momentumError: Float64Array; // |X I omega - L| / |L|
-  error: Float64Array; // |X - X_exact|, Frobenius; for a small angle a it is sqrt(2) a
+  error: Float64Array; // |X - X_exact|, Frobenius; sqrt(2) a if the angle a is small
 }
 
 export interface Method {
@@ -45,11 +45,11 @@ export interface Flips {
   interval: number; // s; Infinity on the separatrix
   first: number; // s, after t = 0
   asymptoticInterval: number; // s, its approximation near the separatrix
-  swing: number; // rad, through which the intermediate axis swings
-  turnsOver: boolean; // whether it is a turning over and not a wobble
+  swing: number; // rad, the angle through which the intermediate axis swings
+  turnsOver: boolean; // whether the body turns over instead of wobbling
 }
 
-/** What is known of a motion without computing any of it. */
+/** The properties of a motion that do not depend on time. */
 export interface Facts {
   kind: Kind;
   momentum: Vector; // L in space axes, g cm^2/s; also the body momentum at t = 0
@@ -57,17 +57,17 @@ export interface Facts {
   moments: Vector; // principal moments, ascending, g cm^2
   axes: Matrix; // body_from_principal; column i is the axis of moments[i]
   flips: Flips | null; // null for a steady motion and a symmetric body
-  isReal: boolean; // whether a body can have these moments (the triangle inequality holds)
+  isReal: boolean; // whether a real body can have these moments (triangle inequality)
 }
 
 export interface StepControl {
-  step: number; // s, of a method with fixed steps; the first one of an adaptive method
+  step: number; // s; of an adaptive method the first step
   tolerance: number; // of an adaptive method
 }
 
 /**
- * A part of a body, which has the dimensions of its shape in cm under their keys in scene files; it cannot
- * be a mesh.
+ * A part of a body, with the dimensions of its shape in cm under their keys in scene files. It cannot be a
+ * mesh.
  */
 export interface PartValues {
   shape: string;
@@ -91,7 +91,7 @@ export interface MassProperties {
   axes: Matrix; // body_from_principal
 }
 
-/** What a small tilt of a steady rotation does. */
+/** The behaviour of a small tilt of a steady rotation. */
 export interface Stability {
   kind: 'unstable' | 'stable' | 'neutral';
   rate: number; // 1/s of growth, or rad/s of the wobble
@@ -99,7 +99,7 @@ export interface Stability {
 
 export type Part = PartValues & Record<string, any>;
 
-/** From where a view is seen; angles in rad. */
+/** The viewpoint of a view; angles in rad. */
 export interface Viewpoint {
   azimuth: number;
   elevation: number;
@@ -112,7 +112,7 @@ export interface Triangles {
   edgeQuads: Uint32Array;
 }
 
-/** As src/picture/overlay/draw_list.h says. */
+/** See src/picture/overlay/draw_list.h. */
 export interface DrawList {
   vertices: Float32Array;
   items: Triangles;
@@ -124,7 +124,7 @@ export interface DrawList {
 export interface Label {
   text: string;
   anchor: number[];
-  away: number[]; // where there is room
+  away: number[]; // direction in which there is room
   color: number[];
 }
 
@@ -141,7 +141,7 @@ export interface Camera {
  */
 export interface Contents {
   camera: Camera;
-  clipZNearer: number; // What brings an item nearer by the picture's height, in clip space.
+  clipZNearer: number; // The change of z in clip space that brings an item nearer by the picture's height.
   opaque: DrawList;
   translucent: DrawList;
   labels: Label[];

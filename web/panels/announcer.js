@@ -1,6 +1,6 @@
-// Tells those who do not see the picture when the body has turned over.
+// Announces flips of the body to screen readers.
 import { byId } from '../app/dom.js';
-import { decimal, word } from '../words/words.js';
+import { duration, word } from '../words/words.js';
 
 const leastPause = 2000; // ms between two announcements: speech takes time
 
@@ -22,6 +22,6 @@ export class Announcer {
     if (count <= this.count || performance.now() - this.last < leastPause) return;
     this.count = count;
     this.last = performance.now();
-    byId('announce').textContent = word('flipped', count, decimal(model.previousFlip(t) ?? t, 1));
+    byId('announce').textContent = word('flipped', count, duration(model.previousFlip(t) ?? t));
   }
 }

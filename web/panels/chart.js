@@ -2,11 +2,11 @@
 import { superscript } from '../words/words.js';
 
 export class Chart {
-  /** @param {HTMLElement} box Holds a canvas. @param {() => void} changed */
+  /** @param {HTMLElement} box Contains a canvas. @param {() => void} changed */
   constructor(box, changed) {
     this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector('canvas'));
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
-    /** What lines and text are measured by: 1 where text is of the usual size. */
+    /** The scale of lines and text: 1 if text has the usual size. */
     this.unit = 1;
     new ResizeObserver(() => {
       const ratio = devicePixelRatio;
@@ -18,7 +18,7 @@ export class Chart {
     }).observe(box);
   }
 
-  /** Clears it; what is drawn then is in CSS pixels. */
+  /** Clears the canvas and sets its unit to CSS pixels. */
   begin() {
     const { context, canvas } = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -59,7 +59,7 @@ export class Chart {
     return 12 * this.unit;
   }
 
-  /** Whether it is on the page; in full screen some are not. */
+  /** Whether the chart is displayed; in full screen some are not. */
   get isShown() {
     return this.canvas.offsetParent !== null;
   }
@@ -74,7 +74,7 @@ export class Chart {
 }
 
 /**
- * A step of 1, 2 or 5 times a power of ten, so that there are about `count` in a span.
+ * A step of 1, 2 or 5 times a power of ten that divides a span into about `count` parts.
  * @param {number} span @param {number} count
  */
 export function tickStep(span, count) {

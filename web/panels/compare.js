@@ -1,4 +1,4 @@
-// Two methods against the exact motion: which, with what step, and what becomes of them.
+// Compares two methods with the exact motion: their choice, their step, and their errors.
 import { byId, radiosOf, selectOf, showNote, tableRow } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
 import { replaced } from '../app/state.js';
@@ -127,7 +127,7 @@ export class ComparePanel {
 }
 
 /**
- * What there is to say of a method at t.
+ * The texts and numbers about a method at t.
  * @param {Runs["runners"][0]} runner @param {MotionModel} model @param {number} t
  * @returns {Record<string, string>}
  */

@@ -1,5 +1,5 @@
-// The nine components of X against time, row by row, over the timeline or, where it is too long for
-// curves, over the seconds around now.
+// The nine components of X against time, row by row: over the timeline or, if that is too long for
+// curves, over a shorter time around the present.
 import { clamp } from '../math/linear.js';
 import { onDrag } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
@@ -11,10 +11,10 @@ import { Chart } from './chart.js';
 
 const margin = 10; // as the timeline's
 const widestTurn = 0.3; // rad between two points of a curve
-const dashes = [[], [7, 3], [2, 3]]; // of the columns: told apart without colour
+const dashes = [[], [7, 3], [2, 3]]; // of the columns, which can thus be distinguished without colour
 
 /**
- * What the curves cover, s: the timeline, or as much around t as curves can show.
+ * The time that the curves cover, s: the timeline, or as much around t as curves can show.
  * @param {State} state @param {MotionModel} model @param {number} points
  */
 export function detailWindow({ t, from, length }, model, points) {
@@ -33,7 +33,7 @@ export class Components {
     /** @type {MotionModel | null} */
     this.model = null;
     this.X = new Float64Array();
-    /** The curves, which stay while time goes on. */
+    /** The picture of the curves, which does not change while time advances. */
     this.still = document.createElement('canvas');
     this.drawn = false;
     /** @type {any} */
@@ -88,7 +88,7 @@ export class Components {
     }
   }
 
-  /** Draws the curves to their own picture. @param {any} colors */
+  /** Draws the curves to a separate canvas. @param {any} colors */
   #drawCurves(colors) {
     const { chart, X, points } = this;
     if (this.drawn && this.colors === colors && !chart.resized) return;

@@ -1,4 +1,4 @@
-// The motion as a table: for those who do not see the pictures, and for everybody who wants numbers.
+// The motion as a table, for users of screen readers and for everyone who wants numbers.
 import { byId, element, tableRow } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
 

@@ -1,23 +1,23 @@
-// A number that is set by a slider and by typing. The slider covers what is usual, the text field all
-// that is allowed.
+// A number with a slider and a text field. The slider covers the usual range, the text field all
+// allowed values.
 import { element } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
-import { word } from '../words/words.js';
+import { brief, word } from '../words/words.js';
 
 /**
  * @typedef {object} NumberFieldOptions
- * @property {() => string} label What a screen reader says.
- * @property {string} [name] What is shown; the label by default.
+ * @property {() => string} label The label for screen readers.
+ * @property {string} [name] The visible name; default: the label.
  * @property {number[]} range Of the slider.
- * @property {boolean} [logarithmic] Whether the slider goes by powers of ten.
- * @property {number[]} limits What is allowed.
+ * @property {boolean} [logarithmic] Whether the slider is logarithmic.
+ * @property {number[]} limits The least and the greatest allowed value.
  * @property {(value: number) => void} set
  */
 
 let nextId = 0;
 
 /**
- * Calls set() with the number in a text field if it is allowed; otherwise marks the field as wrong.
+ * Calls set() with the number in a text field if it is allowed; otherwise marks the field as invalid.
  * @param {HTMLInputElement} input @param {number[]} limits @param {(value: number) => void} set
  * @param {boolean} done Whether the reader has finished typing.
  */
@@ -26,7 +26,7 @@ export function readNumber(input, [low, high], set, done) {
   const value = text === '' ? NaN : Number(text);
   const fits = value >= low && value <= high;
   input.ariaInvalid = String(!fits);
-  input.setCustomValidity(fits ? '' : word('badNumber', low, high));
+  input.setCustomValidity(fits ? '' : word('badNumber', brief(low), brief(high)));
   if (fits) set(value);
   else if (done) input.reportValidity();
 }
@@ -74,7 +74,7 @@ export class NumberField {
     return Number((logarithmic ? 10 ** value : value).toPrecision(logarithmic ? 3 : 6));
   }
 
-  /** A step of 1 % of the slider by an arrow key, 0.1 % with Shift. @param {KeyboardEvent} event */
+  /** Handles arrow keys: steps of 1 % of the slider, 0.1 % with Shift. @param {KeyboardEvent} event */
   #nudge(event) {
     const direction = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     if (!direction) return;

@@ -1,4 +1,4 @@
-// How the motion starts and of which body: angular velocity and moments, by sliders and by typing.
+// The controls of the initial angular velocity and of the moments: sliders and text fields.
 import { byId, element, radiosOf, showNote } from '../app/dom.js';
 import { spunAbout } from '../app/motion_model.js';
 import { replaced } from '../app/state.js';
@@ -9,7 +9,7 @@ import { NumberField } from './number_field.js';
 /** @import { Store } from '../app/state.js' */
 /** @import { PageData, State } from '../app/types' */
 
-const push = 0.05; // of the rotation rate, beside the axis: so that an unstable one shows
+const push = 0.05; // deviation from the axis as a fraction of the rate, so that an unstable axis is recognisable
 
 export class StartPanel {
   /** @param {Store} store @param {PageData} data @param {() => MotionModel} model */
@@ -83,5 +83,5 @@ export class BodyPanel {
   }
 }
 
-/** What sliders of moments cover. @param {number[]} moments */
+/** The range of the sliders of moments. @param {number[]} moments */
 const rangeAbout = (moments) => [Math.min(...moments) / 10, 5 * Math.max(...moments)];

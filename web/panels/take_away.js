@@ -1,4 +1,4 @@
-// The buttons by which the reader takes something along.
+// The buttons that copy or save something.
 import { byId, messageOf, onClick, showNote } from '../app/dom.js';
 import { commandLine, csv, sceneFile } from '../app/take_away.js';
 import { word } from '../words/words.js';
@@ -14,7 +14,7 @@ async function copy(text) {
     await navigator.clipboard.writeText(text);
     byId('announce').textContent = word('copied');
   } catch {
-    // Not allowed in a frame, or on a page from a file in some browsers.
+    // Not allowed in a frame, nor in some browsers for a page opened from a file.
     byId('announce').textContent = word('notCopied');
     getSelection()?.selectAllChildren(byId('copied'));
   }
@@ -45,7 +45,7 @@ export class TakeAway {
         const text = csv(store.state, model(), data.scene.film.fps);
         save(new Blob([text], { type: 'text/csv' }), `${name}.csv`);
       } catch (error) {
-        showNote('copied', messageOf(error)); // the method that is shown cannot compute this
+        showNote('copied', messageOf(error)); // the method shown cannot compute this
       }
     });
   }

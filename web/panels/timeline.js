@@ -1,8 +1,9 @@
-// The timeline: where the motion is, and its flips. A slider for the pointer and the keyboard.
+// The timeline: the present time and the flips. A slider for pointer and keyboard.
 import { onDrag } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
 import { seek } from '../app/player.js';
 import { Chart, tickStep, tickText } from './chart.js';
+import { timeUnit } from '../words/words.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
 /** @import { Store } from '../app/state.js' */
@@ -104,7 +105,7 @@ export class Timeline {
     for (const time of times) {
       context.fillRect(x(time) - half, middle - 9, 2 * half, 18);
       if (times.length > 60) continue;
-      context.beginPath(); // a diamond, so that flips are told by shape as well
+      context.beginPath(); // a diamond, so that flips are recognisable by shape as well
       context.moveTo(x(time), middle - 14);
       context.lineTo(x(time) + 4, middle - 10);
       context.lineTo(x(time), middle - 6);
@@ -116,15 +117,18 @@ export class Timeline {
   /** @param {number} from @param {number} length @param {any} colors @param {(t: number) => number} x */
   #drawTicks(from, length, colors, x) {
     const { context, width, fontSize } = this.chart;
-    const step = tickStep(length, width / (from + length > 1e6 ? 160 : 80));
+    const unit = timeUnit(from + length),
+      step = unit.length * tickStep(length / unit.length, width / 80);
     context.fillStyle = colors.dim;
     context.textBaseline = 'top';
     for (let n = Math.ceil(from / step - 1e-9); n * step <= from + length * (1 + 1e-12); ++n) {
-      const text = tickText(n * step, step),
+      const text = tickText((n * step) / unit.length, step / unit.length),
         wide = context.measureText(text).width;
       context.fillText(text, clamp(x(n * step) - wide / 2, 0, width - wide - 12), 0, width);
     }
     context.textBaseline = 'alphabetic';
-    context.fillText('s', width - 8, 0.8 * fontSize);
+    context.textAlign = 'right';
+    context.fillText(unit.symbol, width - 2, 0.8 * fontSize);
+    context.textAlign = 'left';
   }
 }

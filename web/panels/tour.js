@@ -1,5 +1,5 @@
-// The guided tour: steps, each a state of the page with what to look at and what to try. Its text is
-// a file of its own, tour/tour.json.
+// The guided tour: steps, each with a state of the page, something to look at and something to try. The
+// texts are in tour/tour.json.
 import { byId, element, onClick } from '../app/dom.js';
 import { word } from '../words/words.js';
 
@@ -7,7 +7,10 @@ import { word } from '../words/words.js';
 /**
  * @typedef {object} TourStep
  * @property {"least" | "middle" | "greatest"} spin The principal axis about which the body is spun.
- * @property {number} push How far beside the axis, as a share of the angular velocity.
+ * @property {number} push Deviation from the axis, as a fraction of the angular velocity.
+ * @property {number} flips The length of the timeline, in intervals between the flips of the middle axis.
+ * @property {number} flipSeconds Duration of such an interval on the screen, s.
+ * @property {number} [radiansOfStep] Rotation of the body in a step of the methods, rad.
  * @property {string} state The rest of the page's state, as in a link.
  * @property {boolean} play
  * @property {string} formula MathML.
@@ -18,7 +21,7 @@ export class Tour {
   /**
    * @param {TourStep[]} steps @param {import("../app/state.js").Store} store
    * @param {(step: TourStep) => void} enter Puts the page into the state of a step.
-   * @param {() => Record<string, string>} figures What {first} and the like in the texts stand for.
+   * @param {() => Record<string, string>} figures The values of {first} and similar placeholders in the texts.
    */
   constructor(steps, store, enter, figures) {
     this.steps = steps;
@@ -68,7 +71,7 @@ export class Tour {
 }
 
 /**
- * A paragraph of a text with formulas. The text is the page's own; of the motion it has only numbers.
+ * A paragraph of a text with formulas. The text is trusted; only its numbers come from the motion.
  * @param {string} className @param {string} head @param {string} text
  */
 function paragraph(className, head, text) {

@@ -1,9 +1,9 @@
 // Play, pause, step, flips, speed, and the length of the timeline.
 import { byId, onClick, selectOf } from '../app/dom.js';
 import { framesPerSecond, seek } from '../app/player.js';
-import { speeds } from '../app/state.js';
+import { speedsAbout } from '../app/state.js';
 import { clamp } from '../math/linear.js';
-import { brief, decimal, fillSelect, word } from '../words/words.js';
+import { brief, decimal, duration, fillSelect, timeUnit, word } from '../words/words.js';
 import { readNumber } from './number_field.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
@@ -14,8 +14,11 @@ import { readNumber } from './number_field.js';
 const playIcon = 'M4 2 L15 9 L4 16 Z',
   pauseIcon = 'M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z';
 
-/** A speed as 4 or 1/4. @param {number} speed */
-const speedText = (speed) => `${speed >= 1 ? speed : `1/${1 / speed}`} ×`;
+/** A speed as 4 × or 1/4 ×, or as the time that passes in a second. @param {number} speed */
+function speedText(speed) {
+  if (speed < 1 / 16 || speed > 16) return `${duration(speed)}/s`;
+  return `${speed >= 1 ? speed : `1/${1 / speed}`} ×`;
+}
 
 export class Transport {
   /** @param {Store} store @param {Player} player @param {() => MotionModel} model */
@@ -36,7 +39,7 @@ export class Transport {
     onClick('shorter', () => this.#stretch(0.5));
     onClick('longer', () => this.#stretch(2));
     this.#readNumber(this.time, 0, (t) => seek(store, t));
-    this.#readNumber(this.length, 1e-3, (length) => this.#stretch(length / store.state.length));
+    this.#readNumber(this.length, 1e-12, (length) => this.#stretch(length / store.state.length));
     player.listeners.push(() => this.relabel());
   }
 
@@ -60,26 +63,26 @@ export class Transport {
     });
   }
 
-  /** A film's frame on or back. @param {number} direction */
+  /** Moves by a frame of the film, forward or back. @param {number} direction */
   step(direction) {
     this.player.play(false);
     seek(this.store, this.store.state.t + (direction * this.store.state.speed) / framesPerSecond);
   }
 
-  /** @param {number} direction 1 for the next, -1 for the last */
+  /** @param {number} direction 1 for the next, -1 for the previous */
   toFlip(direction) {
     const { t } = this.store.state,
       model = this.model();
-    // Where it already is at a flip, the next one but that.
+    // At a flip, go to the next one instead of staying.
     const apart = 1e-9 * Math.max(Math.abs(t), 1);
     const flip = direction > 0 ? model.nextFlip(t + apart) : model.previousFlip(t - apart);
     if (flip !== null && flip >= 0 && flip <= 1e9) seek(this.store, flip);
   }
 
-  /** Makes the timeline longer, around t. @param {number} factor */
+  /** Stretches the timeline around t. @param {number} factor */
   #stretch(factor) {
     const { from, length, t } = this.store.state;
-    const longer = clamp(length * factor, 1e-3, 1e9);
+    const longer = clamp(length * factor, 1e-12, 1e9);
     const start = Math.max(0, t - ((t - from) / length) * longer);
     this.store.set({ from: t <= longer ? 0 : start, length: longer });
   }
@@ -88,32 +91,41 @@ export class Transport {
     const { playing } = this.player;
     this.icon?.setAttribute('d', playing ? pauseIcon : playIcon);
     this.playButton.ariaLabel = this.playButton.title = word(playing ? 'pause' : 'play');
+    this.#offerSpeeds();
+  }
+
+  /** Offers the scene's speeds, and the present one if it is different because of a link. */
+  #offerSpeeds() {
+    const { speed } = this.store.state,
+      speeds = [...new Set([...speedsAbout(this.store.initial.speed), speed])].sort((a, b) => a - b);
     fillSelect(
       this.speed,
-      speeds.map((speed) => [String(speed), speedText(speed)]),
-      String(this.store.state.speed),
+      speeds.map((one) => [String(one), speedText(one)]),
+      String(speed),
     );
   }
 
   /** @param {State} state @param {MotionModel} model */
   show({ t, from, length, speed }, model) {
-    const fine = 3 - Math.floor(Math.log10(length / 100)),
+    const unit = timeUnit(from + length);
+    const fine = 5 - Math.floor(Math.log10(length)),
       known = 10 - Math.floor(Math.log10(Math.max(t, 1)));
-    const digits = Math.max(0, Math.min(fine, known, 3));
+    const digits = clamp(Math.min(fine, known), 0, length < 1 ? 15 : 3),
+      inUnit = clamp(5 - Math.floor(Math.log10(length / unit.length)), 0, 2);
     if (document.activeElement !== this.time) this.time.value = t.toFixed(digits);
     if (document.activeElement !== this.length) this.length.value = String(Number(length.toPrecision(6)));
-    this.speed.value = String(speed);
+    if (this.speed.value !== String(speed)) this.#offerSpeeds();
     const count = model.flipsUntil(t),
       flips = count < 1e9 ? count : brief(count),
       next = model.nextFlip(t);
     const now = Number(t.toPrecision(6)),
-      text = word('timeText', decimal(t, 1), flips);
+      text = word('timeText', `${decimal(t / unit.length, 1)} ${unit.symbol}`, flips);
     for (const [key, value] of Object.entries({ min: from, max: from + length, now, text }))
       byId('timeline').setAttribute(`aria-value${key}`, String(value));
     const says = model.flips
-      ? `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', brief(next - t))}`
+      ? `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', duration(next - t))}`
       : word('noFlips');
-    byId('readout').textContent = `t = ${decimal(t, Math.min(digits, 2))} s · ${says}`;
+    byId('readout').textContent = `t = ${decimal(t / unit.length, inUnit)} ${unit.symbol} · ${says}`;
     for (const id of ['flip-back', 'flip-on']) byId(id).toggleAttribute('disabled', !model.flips);
   }
 }

@@ -1,4 +1,4 @@
-// What is shown and from where: theme, language, frame of reference, overlays, full screen.
+// The controls of the display: theme, language, frame of reference, overlays, full screen.
 import { byId, element, onClick, selectOf } from '../app/dom.js';
 import { features } from '../app/state.js';
 import { fillSelect, word } from '../words/words.js';

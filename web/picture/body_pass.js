@@ -25,10 +25,11 @@ import { Program, VertexArray } from './program.js';
 /** @import { Uniforms } from '../core/surface.js' */
 /** @import { Surface } from '../app/types' */
 /**
- * As GLSL, see src/page/theme_json.h; whether vertices have colours, and the colour of what it reflects.
+ * A material: its constants as GLSL (see src/page/theme_json.h), whether vertices have colours, and the
+ * colour of its reflection.
  * @typedef {{constants: string, metal: boolean, colored: boolean, tint: number[]}} Material
  */
-/** Of the picture in pixels. @typedef {{width: number, height: number}} Size */
+/** Size of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
 // Attributes that only edge quads need, and the colours of vertices.
 const shiftLocation = 2,
@@ -44,7 +45,7 @@ function programOf(gl, surface, material, ofOneMaterial) {
 const bool is_of_one_material = ${ofOneMaterial};
 `;
   const alone = surface.occluder_count === 0,
-    colored = material.colored && surface.colors !== null; // not the box of given moments
+    colored = material.colored && surface.colors !== null; // false for the box of given moments
   return new Program(
     gl,
     [
@@ -70,7 +71,7 @@ const bool is_of_one_material = ${ofOneMaterial};
 export class BodyPass {
   /**
    * @param {WebGL2RenderingContext} gl @param {Core} core @param {Surface} surface
-   * @param {Material[]} materials of a theme, to which parts refer by their index
+   * @param {Material[]} materials of a theme; parts refer to them by index
    */
   constructor(gl, core, surface, materials) {
     this.gl = gl;
@@ -95,8 +96,8 @@ export class BodyPass {
   }
 
   /**
-   * Draws the body in the pose X, space_from_body, to the bound framebuffer. Parts that touch parts
-   * drawn before are lifted over them by a pixel and fade where they enter them.
+   * Draws the body in the pose X, space_from_body, to the bound framebuffer. A part that touches parts
+   * drawn before is moved one pixel nearer than these, and fades where it enters them.
    * @param {Camera} camera @param {number[]} X @param {Size} size
    */
   draw(camera, X, size) {
@@ -105,7 +106,7 @@ export class BodyPass {
   }
 
   /**
-   * Draws the body as a ghost over what is there: its near side only, in front of everything.
+   * Draws the body as a ghost over the picture: only its near side, in front of everything.
    * @param {Camera} camera @param {number[]} X @param {Size} size @param {number} opacity 0 to 1
    */
   drawGhost(camera, X, size, opacity) {

@@ -5,8 +5,8 @@ import { Program, VertexArray } from './program.js';
 
 /** @import { Contents, DrawList } from '../core/types' */
 /**
- * How triangles are drawn: which faces; whether they write depth; whether only what is hidden is
- * drawn; what is added to z in clip space.
+ * How triangles are drawn: the faces; whether they write depth; whether only hidden parts are drawn; the
+ * offset of z in clip space.
  * @typedef {{faces?: "all" | "near" | "far", writesDepth?: boolean, hidden?: boolean, opacity?: number, clipZ?: number}} Mode
  */
 
@@ -22,17 +22,17 @@ export class DrawListPass {
     this.array = new VertexArray(gl, [4, 4, 3]);
   }
 
-  /** Draws all, for a view without a body. @param {Contents} contents */
+  /** Draws all items of a view without a body. @param {Contents} contents */
   draw(contents) {
     this.drawOpaque(contents);
     this.drawTranslucent(contents);
   }
 
-  /** Draws faintly what the body, the only thing drawn so far, hides. @param {Contents} contents */
+  /** Draws the hidden parts of items faintly over the body, which must be the only thing drawn so far. @param {Contents} contents */
   drawGhosts({ opaque: list, clipZNearer }) {
     this.#draw(list, list.ghosts.faces, [{ faces: 'near', hidden: true, opacity: faintest }]);
     this.#draw(list, list.ghosts.edgeQuads, [{ hidden: true, opacity: faintest }]);
-    // Moved towards the eye by less and less, so that it adds up to more and more in front.
+    // Each step is moved towards the eye by less, so that the opacities add up towards the front.
     const shown = (/** @type {number} */ step) => faintest + ((1 - faintest) * step) / (steps + 1);
     /** @type {Mode[]} */
     const fade = [];

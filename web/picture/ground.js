@@ -1,4 +1,4 @@
-// Draws what is behind the body: the theme's gradient and the floor with light, shadow and
+// Draws the background of the body: the theme's gradient and the floor with light, shadow and
 // reflection.
 import fullscreen_vert from './fullscreen.vert';
 import ground_frag from './ground.frag';
@@ -16,7 +16,7 @@ import { SoftTarget } from './soft_target.js';
  * @property {{light: number[], shadow: number, reflection: number, clouds: number} | null} floor
  */
 
-const mostColumns = 2048, // of a texture: every WebGL 2 has as many
+const mostColumns = 2048, // of a texture: every WebGL 2 implementation supports as many
   gridRows = 180;
 
 export class Ground {

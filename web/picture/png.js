@@ -1,4 +1,4 @@
-// PNG files of opaque pictures: RGB, as the film's frames are; canvases give RGBA.
+// PNG files of opaque pictures in RGB, like the film's frames; a canvas would write RGBA.
 
 const crcTable = Uint32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
@@ -30,7 +30,7 @@ async function deflated(bytes) {
 }
 
 /**
- * The RGB rows of a PNG, each after the filter "up", of RGBA pixels from the bottom left.
+ * The RGB rows of a PNG, each with the filter "up", from RGBA pixels that start at the bottom left.
  * @param {Uint8Array} pixels @param {number} width @param {number} height
  */
 function filteredRows(pixels, width, height) {

@@ -1,5 +1,5 @@
-// Programs of the film's shaders: one source, of which the film's program puts "#version 330 core"
-// in front, and this one the dialect of WebGL 2.
+// Programs of the film's shaders. The film's program puts "#version 330 core" in front of the sources;
+// this file puts the dialect of WebGL 2 there.
 
 const dialect = `#version 300 es
 precision highp float;
@@ -7,7 +7,7 @@ precision highp int;
 `;
 
 /**
- * How a uniform of each type is set; matrices column by column.
+ * The functions that set a uniform of each type; matrices are column by column.
  * @type {[keyof WebGL2RenderingContext, (gl: WebGL2RenderingContext, at: WebGLUniformLocation | null, values: Iterable<number>) => void][]}
  */
 const setters = [

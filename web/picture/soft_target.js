@@ -1,4 +1,4 @@
-// A small picture that is drawn to and then read as a texture, smoothly enlarged.
+// A small render target, read as a texture and smoothly enlarged.
 
 export class SoftTarget {
   /** @param {WebGL2RenderingContext} gl @param {boolean} hasDepth */
@@ -10,7 +10,7 @@ export class SoftTarget {
     this.framebuffer = gl.createFramebuffer();
   }
 
-  /** Binds it, cleared, as what is drawn to. @param {number} width @param {number} height */
+  /** Clears it and binds it as the render target. @param {number} width @param {number} height */
   begin(width, height) {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

@@ -1,5 +1,5 @@
-// The surface of a body as the picture needs it: the program's own for the scene, and the core's box for
-// a body that is given by its moments.
+// The surface of a body for the picture: the scene's from the program, or a box from the core for a body
+// given by its moments.
 import { unpacked } from './unpacking.js';
 
 /** @import { Surface } from '../app/types' */

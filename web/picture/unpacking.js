@@ -1,7 +1,7 @@
-// Reads what is compressed in the page: the core, and the numbers of surfaces.
+// Reads the compressed data of the page: the core, and the numbers of surfaces.
 
 /**
- * The bytes that a compressed text in base64 stands for.
+ * Decodes base64 and decompresses it.
  * @param {string} text @param {CompressionFormat} format
  * @returns {Promise<Uint8Array>}
  */

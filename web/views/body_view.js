@@ -1,5 +1,5 @@
-// The rotating body, or two of them side by side or one as a ghost over the other, seen by a camera
-// that may go along with a turning frame.
+// The rotating body, or two of them, side by side or one as a ghost over the other, seen by a camera
+// that may turn with a frame.
 import { BodyPass } from '../picture/body_pass.js';
 import { Ground } from '../picture/ground.js';
 import { Stars } from '../picture/stars.js';
@@ -10,10 +10,10 @@ import { CanvasView } from './canvas_view.js';
 /** @import { Camera, Samples, Settings } from '../core/types' */
 
 /**
- * What the view shows.
+ * The contents of the view.
  * @typedef {object} BodyPicture
  * @property {MotionModel} model
- * @property {Samples[]} instants Each with its trail, which ends now. One, or two to compare.
+ * @property {Samples[]} instants One, or two to compare, each with its trail, which ends at the present time.
  * @property {boolean} ghost Whether the second is a ghost over the first.
  * @property {Settings} settings
  */
@@ -76,7 +76,7 @@ export class BodyView extends CanvasView {
     this.hideNames(names);
   }
 
-  /** Places the theme's stars, which rest in space, as the scene's own camera sees them. @param {MotionModel} model @param {Settings} settings */
+  /** Places the theme's stars, which are at rest in space, as the scene's camera sees them. @param {MotionModel} model @param {Settings} settings */
   #placeStars({ motion }, settings) {
     const { width, height, show, frame, radius } = settings,
       key = JSON.stringify([width, height, show, frame, radius, motion.omega, motion.inertia]);

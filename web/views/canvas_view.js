@@ -1,5 +1,5 @@
-// What the views have in common: a canvas of WebGL 2 that is as sharp as the display, a camera that
-// can be turned and zoomed by mouse, touch, pen and keyboard, and names of things in space.
+// Base of the views: a WebGL 2 canvas at the display's resolution, a camera that can be turned and zoomed
+// by mouse, touch, pen and keyboard, and labels of objects in space.
 import { byId } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
 import { DrawListPass } from '../picture/draw_list_pass.js';
@@ -11,20 +11,20 @@ import { makeTurnable, turnByKey } from './turning.js';
 /** @param {number[]} color sRGB, 0 to 255 */
 export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;
 
-/** Pixels of what is a point on an ordinary screen; more where text is larger. */
+/** Pixels per point: 1 on an ordinary screen, more if text is larger. */
 export const pixelsOfUnit = () =>
   (devicePixelRatio * parseFloat(getComputedStyle(document.documentElement).fontSize)) / 15;
 
 const mostElevation = Math.PI / 2 - 0.001,
-  gapOfName = 13; // points from the end of a thing to the middle of its name
+  gapOfName = 13; // points from the end of an object to the middle of its name
 
-/** How many canvases have lost their graphics. */
+/** Number of canvases whose WebGL context is lost. */
 let canvasesLost = 0;
 
 export class CanvasView {
   /**
-   * @param {HTMLElement} box Its first canvas is drawn to; names are added beside it.
-   * @param {() => void} changed Is called when the view has to be drawn anew.
+   * @param {HTMLElement} box The view draws to its first canvas and adds names beside it.
+   * @param {() => void} changed Called when the view must be drawn again.
    */
   constructor(box, changed) {
     this.box = box;
@@ -48,7 +48,7 @@ export class CanvasView {
     makeTurnable(this);
     new ResizeObserver((entries) => this.#resize(entries[0])).observe(this.canvas);
     this.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault(); // or the browser would not restore it
+      event.preventDefault(); // otherwise the browser would not restore the context
       ++canvasesLost;
       byId('note').textContent = word('graphicsLost');
       byId('note').hidden = false;
@@ -61,20 +61,20 @@ export class CanvasView {
     });
   }
 
-  /** Makes what a lost context took. */
+  /** Recreates the objects of a lost context. */
   restore() {
     this.pass = new DrawListPass(this.gl);
   }
 
   /**
-   * Returns what a moving pointer does instead of turning the view, or null.
+   * Returns a function to call with a moving pointer instead of turning the view, or null.
    * @param {PointerEvent} _event @returns {((event: PointerEvent) => void) | null}
    */
   grab(_event) {
     return null;
   }
 
-  /** Does what a key means to the view. @param {KeyboardEvent} event @returns {boolean} whether it means anything */
+  /** Handles a key. @param {KeyboardEvent} event @returns {boolean} whether the view uses the key */
   key(event) {
     return turnByKey(this, event);
   }
@@ -82,7 +82,7 @@ export class CanvasView {
   /** @param {ResizeObserverEntry} entry */
   #resize(entry) {
     const device = entry.devicePixelContentBoxSize?.[0];
-    // The browser knows to which whole pixels the box is rounded, but not where a display is emulated.
+    // The browser reports the box in whole pixels, except on an emulated display.
     const pixels = (/** @type {number} */ points, /** @type {number | undefined} */ known) =>
       known && Math.abs(known - points * devicePixelRatio) <= 1
         ? known
@@ -99,7 +99,7 @@ export class CanvasView {
     return this.canvas.width / Math.max(1, this.canvas.height);
   }
 
-  /** The settings for the canvas as it is. @param {import("../core/types").Settings} settings */
+  /** The settings for the present size of the canvas. @param {import("../core/types").Settings} settings */
   sized(settings) {
     const { width, height } = this.canvas;
     return { ...settings, width, height, thinnest: pixelsOfUnit() };
@@ -158,10 +158,10 @@ export class CanvasView {
   }
 
   /**
-   * Shows names beside what they name.
+   * Shows names beside their objects.
    * @param {Label[]} labels @param {{left: number, width: number}} [pane] in shares of the canvas
-   * @param {number} [first] How many names there are already.
-   * @returns {number} How many names there are now.
+   * @param {number} [first] Number of names that are already shown.
+   * @returns {number} Number of names that are shown now.
    */
   showNames(labels, pane = { left: 0, width: 1 }, first = 0) {
     const { clientWidth, clientHeight } = this.canvas,
@@ -179,7 +179,7 @@ export class CanvasView {
     return shown;
   }
 
-  /** Hides the names from that one on. @param {number} shown */
+  /** Hides the names from index `shown` on. @param {number} shown */
   hideNames(shown) {
     for (let i = shown; i < this.names.children.length; ++i)
       /** @type {HTMLElement} */ (this.names.children[i]).textContent = '';

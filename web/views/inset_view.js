@@ -4,7 +4,7 @@ import { CanvasView } from './canvas_view.js';
 /** @import { MotionModel } from '../app/motion_model.js' */
 /** @import { Samples, Settings } from '../core/types' */
 
-/** What the view shows: one motion, or two to compare. @typedef {{model: MotionModel, settings: Settings, instants: Samples[], colors: any}} InsetPicture */
+/** The contents of the view: one motion, or two to compare. @typedef {{model: MotionModel, settings: Settings, instants: Samples[], colors: any}} InsetPicture */
 
 export class InsetView extends CanvasView {
   /** @param {HTMLElement} box Its id is the name of the inset. @param {() => void} changed @param {import("../core/pictures.js").Pictures} pictures */
@@ -17,8 +17,8 @@ export class InsetView extends CanvasView {
   }
 
   /**
-   * The settings for the side from which a motion is seen. It is chosen once for a body: the view
-   * would jump while the start is dragged.
+   * The settings for the direction from which a motion is seen. The direction is chosen once for each
+   * body; otherwise the view would jump while the start is dragged.
    * @param {MotionModel} model @param {Settings} settings
    */
   #facing({ motion }, settings) {

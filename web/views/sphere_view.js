@@ -2,7 +2,7 @@
 import { InsetView } from './inset_view.js';
 import { arrows } from './turning.js';
 
-const startSize = 22, // points from its middle within which it is taken hold of
+const startSize = 22, // points from its middle within which it can be dragged
   stepOfStart = 0.02; // rad by an arrow key
 
 export class SphereView extends InsetView {
@@ -40,7 +40,7 @@ export class SphereView extends InsetView {
     return Math.hypot(across - ((1 + x) * clientWidth) / 2, down - ((1 - y) * clientHeight) / 2) < startSize;
   }
 
-  /** Starts the motion at a place in the picture, or that far from its start. @param {'omegaAt' | 'omegaMoved'} how @param {number[]} where across and up */
+  /** Starts the motion at a place in the picture, or moves the start by angles. @param {'omegaAt' | 'omegaMoved'} how @param {number[]} where across and up */
   #start(how, where) {
     if (!this.shown) return;
     const { model, settings } = this.shown;

@@ -5,10 +5,10 @@
 const turnOfKey = 0.08,
   zoomOfKey = 1.12;
 
-/** Where the arrow keys point, across and up. @type {Record<string, number[]>} */
+/** Directions of the arrow keys, across and up. @type {Record<string, number[]>} */
 export const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-/** By how much keys zoom. @type {Record<string, number>} */
+/** Zoom factors of keys. @type {Record<string, number>} */
 const zooms = { '+': zoomOfKey, '=': zoomOfKey, '-': 1 / zoomOfKey, _: 1 / zoomOfKey };
 
 /** @param {CanvasView} view */

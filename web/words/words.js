@@ -1,4 +1,4 @@
-// The words of the page in the reader's language.
+// The texts of the page in the reader's language.
 import en from './en.json';
 import nb from './nb.json';
 
@@ -9,14 +9,14 @@ let dictionary = dictionaries.en;
 let locale = 'en';
 
 /**
- * The words under that key, with {0}, {1} ... replaced.
+ * The text with this key, with {0}, {1} ... replaced.
  * @param {string} key @param {(string | number)[]} values
  */
 export function word(key, ...values) {
   return (dictionary[key] ?? key).replace(/\{(\d)\}/g, (_, i) => String(values[Number(i)] ?? ''));
 }
 
-/** Puts the language's words into the elements that name them. @param {string} lang */
+/** Sets the texts of all elements that refer to them. @param {string} lang */
 export function setLanguage(lang) {
   dictionary = dictionaries[lang] ?? en;
   locale = lang;
@@ -31,7 +31,7 @@ export function setLanguage(lang) {
   }
 }
 
-/** A number with that many decimals, as the language writes it. @param {number} value @param {number} digits */
+/** A number with `digits` decimals in the style of the language. @param {number} value @param {number} digits */
 export const decimal = (value, digits) =>
   value.toLocaleString(locale, {
     minimumFractionDigits: digits,
@@ -43,7 +43,28 @@ export const decimal = (value, digits) =>
 export const superscript = (power) =>
   [...String(power)].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('');
 
-/** A number with three significant digits, 1.2·10⁻⁸ where it is small. @param {number} value */
+/** @type {[number, number, string][]} see PageData.time_units */
+let timeUnits = [[0, 1, 's']];
+
+/** @param {[number, number, string][]} units the program's, the longest first */
+export function setTimeUnits(units) {
+  timeUnits = units;
+}
+
+/** The unit that suits times up to `longest`. @param {number} longest s */
+export function timeUnit(longest) {
+  const [, length, symbol] = timeUnits.find(([from]) => longest >= from) ?? timeUnits[timeUnits.length - 1];
+  return { length, symbol };
+}
+
+/** A time with its unit: 23.6 s, 1.5 d. @param {number} seconds */
+export function duration(seconds) {
+  if (!Number.isFinite(seconds)) return '∞';
+  const { length, symbol } = timeUnit(Math.abs(seconds) || 1);
+  return `${brief(seconds / length)} ${symbol}`;
+}
+
+/** A number with three significant digits; small ones as 1.2·10⁻⁸. @param {number} value */
 export function brief(value) {
   if (!Number.isFinite(value)) return '∞';
   if (value === 0) return '0';

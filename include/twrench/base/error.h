@@ -4,19 +4,19 @@
 #include <string>
 #include <utility>
 
-// The failures that callers are told of. They say what is wrong with which quantity; which option
-// of a program the quantity came from, and how the program then ends, is the program's affair.
+// The errors that the library throws. They state which quantity is wrong and why. The program maps
+// the quantity to its option and chooses the exit code.
 
 namespace twrench {
 
-// The destructors are defined in the library, so that it alone has the tables by which a handler
-// recognises an error.
+// The destructors are defined in the library, so that the type information with which a handler
+// matches an error exists only there.
 
 /// A failure that a caller can act on. what() is "WHAT: WHY", on one line.
 class Error : public std::runtime_error {
  public:
   /// `what` failed because of `why`; `remedy` may be empty. The texts may quote input of any length
-  /// and content. A long text loses its middle, and a NUL becomes an escape sequence.
+  /// and content. The middle of a long text is omitted, and a NUL becomes an escape sequence.
   Error(const std::string& what, const std::string& why, const std::string& remedy = {});
   /// Copies it.
   Error(const Error&) = default;
@@ -24,21 +24,21 @@ class Error : public std::runtime_error {
   Error& operator=(const Error&) = default;
   ~Error() override;
 
-  /// What can be done about it, whoever calls; may be empty.
+  /// Returns the remedy, worded for any caller; may be empty.
   const std::string& remedy() const noexcept { return remedy_; }
 
  protected:
-  /// Returns `what` as the message quotes it.
+  /// Returns `what` as it appears in the message.
   static std::string quoted(const std::string& what);
 
  private:
   std::string remedy_;
 };
 
-/// A value that is not allowed, or a name that nothing has.
+/// A value that is not allowed, or an unknown name.
 class InvalidArgument : public Error {
  public:
-  /// What the value is called, why it is not allowed, and the remedy, if there is one.
+  /// `quantity` names the value, `why` explains why it is not allowed; `remedy` may be empty.
   InvalidArgument(const std::string& quantity, const std::string& why,
                   const std::string& remedy = {})
       : Error(quantity, why, remedy), quantity_(quoted(quantity)) {}
@@ -48,7 +48,7 @@ class InvalidArgument : public Error {
   InvalidArgument& operator=(const InvalidArgument&) = default;
   ~InvalidArgument() override;
 
-  /// What the value is called where it was given: "inertia", "scene.toml:3: motion.step".
+  /// Returns the name of the value at its source: "inertia", "scene.toml:3: motion.step".
   const std::string& quantity() const noexcept { return quantity_; }
 
  private:
@@ -58,14 +58,14 @@ class InvalidArgument : public Error {
 /// A number outside its bounds.
 class OutOfRange : public InvalidArgument {
  public:
-  /// What a number is, and what it may be, the bounds included unless the message says otherwise.
+  /// A value and its allowed range, which includes the bounds unless the message says otherwise.
   struct Range {
-    double value;     ///< what it is
-    double least;     ///< the lower bound; minus infinity where there is none
-    double greatest;  ///< the upper bound; infinity where there is none
+    double value;     ///< the value itself
+    double least;     ///< the lower bound; minus infinity if there is none
+    double greatest;  ///< the upper bound; infinity if there is none
   };
 
-  /// What the number is called, why it is not allowed, and its range.
+  /// `quantity` names the number, `why` explains why it is not allowed; `remedy` may be empty.
   OutOfRange(const std::string& quantity, const std::string& why, const Range& range,
              const std::string& remedy = {})
       : InvalidArgument(quantity, why, remedy), range_(range) {}
@@ -75,11 +75,11 @@ class OutOfRange : public InvalidArgument {
   OutOfRange& operator=(const OutOfRange&) = default;
   ~OutOfRange() override;
 
-  /// What the number is.
+  /// Returns the value.
   double value() const noexcept { return range_.value; }
-  /// The lower bound; minus infinity where there is none.
+  /// Returns the lower bound; minus infinity if there is none.
   double least() const noexcept { return range_.least; }
-  /// The upper bound; infinity where there is none.
+  /// Returns the upper bound; infinity if there is none.
   double greatest() const noexcept { return range_.greatest; }
 
  private:

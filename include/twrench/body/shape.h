@@ -10,7 +10,7 @@
 
 namespace twrench::body {
 
-/// A solid cylinder with its axis along z in its own frame. Lengths in cm.
+/// A solid cylinder with its axis along its local z axis. Lengths in cm.
 struct Cylinder {
   /// Radius in cm.
   double radius;
@@ -24,14 +24,14 @@ struct Box {
   Eigen::Vector3d size;
 };
 
-/// A solid ellipsoid (a sphere if all are equal) with semi-axes along x, y and z in cm.
+/// A solid ellipsoid with semi-axes along x, y and z in cm; a sphere if they are equal.
 struct Ellipsoid {
   /// Semi-axes in cm.
   Eigen::Vector3d radii;
 };
 
-/// A solid cone, or a frustum, with its axis along z in its own frame, whose origin is halfway
-/// between base and top. Lengths in cm.
+/// A solid cone or frustum with its axis along its local z axis. The origin is halfway between base
+/// and top. Lengths in cm.
 struct Cone {
   /// Radius of the base, at z = -length/2, in cm.
   double radius;
@@ -41,15 +41,15 @@ struct Cone {
   double top_radius = 0.0;
 };
 
-/// A solid ring torus in the xy plane of its own frame. Lengths in cm.
+/// A solid ring torus in its local xy plane. Lengths in cm.
 struct Torus {
-  /// Radius of the circle on which the centres of the tube lie, in cm.
+  /// Radius of the circle along which the tube runs, in cm.
   double radius;
   /// Radius of the tube in cm, less than `radius`.
   double tube_radius;
 };
 
-/// A solid cylinder with hemispherical ends and its axis along z in its own frame. Lengths in cm.
+/// A solid cylinder with hemispherical ends and its axis along its local z axis. Lengths in cm.
 struct Capsule {
   /// Radius of the cylinder and of its ends in cm.
   double radius;
@@ -57,8 +57,8 @@ struct Capsule {
   double length;
 };
 
-/// A solid of two coaxial cylinders, one hollowed out of the other, with its axis along z in its
-/// own frame. Lengths in cm.
+/// A solid tube: a cylinder with a coaxial cylindrical bore, and its axis along its local z axis.
+/// Lengths in cm.
 struct Tube {
   /// Outer radius in cm.
   double radius;
@@ -68,8 +68,7 @@ struct Tube {
   double length;
 };
 
-/// A solid bounded by a triangle mesh, or a thin wall along one, placed by the mesh's own
-/// coordinates.
+/// A solid bounded by a triangle mesh, or a thin wall along one, in the mesh's own coordinates.
 struct Mesh {
   /// The surface; never null.
   std::shared_ptr<const TriangleMesh> surface;
@@ -83,8 +82,8 @@ struct Mesh {
 /// Throws OutOfRange or InvalidArgument as solid_integrals() and shell_integrals() do.
 Mesh make_mesh(TriangleMesh surface, double shell = 0.0);
 
-/// The geometry of a solid. The functions of a shape throw OutOfRange about a length that is not
-/// positive, such as "radius", and InvalidArgument about "mesh" where a mesh has no surface.
+/// The geometry of a solid. The functions of a shape throw OutOfRange about a length, such as
+/// "radius", that is not positive, and InvalidArgument about "mesh" if a mesh has no surface.
 using Shape = std::variant<Cylinder, Box, Ellipsoid, Cone, Torus, Capsule, Tube, Mesh>;
 
 /// A homogeneous solid, placed in the frame in which the scene describes the body.
@@ -93,11 +92,11 @@ struct Part {
   Shape shape;
   /// Density in g/cm^3.
   double density;
-  /// Position of the origin of the shape's own frame in cm. It is the centre of all shapes but
-  /// cones and meshes, see centroid().
-  Eigen::Vector3d position;
+  /// Position of the origin of the shape's own frame in cm. The origin is the centroid of every
+  /// shape except cones and meshes; see centroid().
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
   /// Orientation, a proper rotation.
-  Eigen::Matrix3d body_from_part;
+  Eigen::Matrix3d body_from_part = Eigen::Matrix3d::Identity();
 };
 
 /// Returns the volume in cm^3.
@@ -108,12 +107,12 @@ Eigen::Vector3d centroid(const Shape& shape);
 
 /// Returns the inertia matrix in g cm^2 about the centroid, in the axes of the shape's own frame,
 /// for `mass` grams distributed homogeneously: the integrals of eq. (13). It is diagonal for all
-/// shapes but meshes. Throws OutOfRange about "mass" unless it is positive.
+/// shapes except meshes. Throws OutOfRange about "mass" unless it is positive.
 Eigen::Matrix3d central_inertia(const Shape& shape, double mass);
 
-/// Returns the bounding radius in cm: that of the smallest sphere about `centre`, in the shape's
-/// own frame, which contains it; of an ellipsoid that is not a sphere, a bound on it. Throws
-/// OutOfRange about "centre" unless it is finite.
+/// Returns the bounding radius in cm: the radius of the smallest sphere about `centre`, in the
+/// shape's own frame, that contains the shape. For an ellipsoid that is not a sphere, it is an
+/// upper bound. Throws OutOfRange about "centre" unless it is finite.
 double bounding_radius(const Shape& shape, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
 /// Returns a point of the shape that lies farthest along `direction` (of any nonzero length), in
@@ -121,8 +120,8 @@ double bounding_radius(const Shape& shape, const Eigen::Vector3d& centre = Eigen
 /// finite.
 Eigen::Vector3d support(const Shape& shape, const Eigen::Vector3d& direction);
 
-/// Returns the smallest box with edges along the axes of the shape's own frame which contains it,
-/// in cm.
+/// Returns the smallest box in cm that contains the shape and has its edges along the axes of the
+/// shape's own frame.
 Eigen::AlignedBox3d bounding_box(const Shape& shape);
 
 /// Returns a proper rotation whose third column is `axis` (of any nonzero length); exact for the

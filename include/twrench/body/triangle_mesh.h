@@ -27,19 +27,19 @@ struct SolidIntegrals {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
-/// Returns the integrals over the solid inside a closed surface, exact but for round-off, by the
-/// divergence theorem. Throws InvalidArgument about "mesh" where there are no triangles, an index
-/// is out of range, a coordinate is not finite, or the volume is not positive.
+/// Returns the integrals over the solid inside a closed surface by the divergence theorem, exact to
+/// round-off. Throws InvalidArgument about "mesh" if there are no triangles, an index is out of
+/// range, a coordinate is not finite, or the volume is not positive.
 SolidIntegrals solid_integrals(const TriangleMesh& mesh);
 
 /// Returns the integrals over a wall of `thickness` cm along a surface, open or closed, in the
-/// limit of a thin wall: those over the surface times the thickness. Throws OutOfRange about
-/// "thickness" unless it is positive, and InvalidArgument about "mesh" as above or where the area
-/// is 0.
+/// limit of a thin wall: the surface integrals times the thickness. Throws OutOfRange about
+/// "thickness" unless it is positive, and InvalidArgument about "mesh" as above or if the area is
+/// 0.
 SolidIntegrals shell_integrals(const TriangleMesh& mesh, double thickness);
 
 /// Returns the area of the triangles in cm^2; 0 if there are none. Throws InvalidArgument about
-/// "mesh" where an index is out of range or a coordinate is not finite.
+/// "mesh" if an index is out of range or a coordinate is not finite.
 double surface_area(const TriangleMesh& mesh);
 
 }  // namespace twrench::body

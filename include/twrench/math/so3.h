@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 /// The rotation group SO(3) and its Lie algebra, with the specification's names. Each function
-/// throws OutOfRange about a vector, a matrix or a number that is not finite, by its name here.
+/// throws OutOfRange about an argument, by its name here, that is not finite.
 namespace twrench::so3 {
 
 using Eigen::Matrix3d;
@@ -39,9 +39,8 @@ Vector3d exp_times(const AngleFunctions& f, const Vector3d& u, const Vector3d& v
 /// This is the inverse of the left-trivialised differential of exp, and the inverse of the right
 /// Jacobian J_r(u). Sources that write X = exp(hat(u)) X_0 with the spatial angular velocity
 /// trivialise on the right; their dexpinv_u has -1/2 [u, omega], and ours equals their
-/// dexpinv_{-u}. Names do not settle which is meant (the left-trivialised differential is the right
-/// Jacobian), so check the sign of the commutator. Source: Munthe-Kaas, Appl. Numer. Math. 29
-/// (1999).
+/// dexpinv_{-u}. The names are ambiguous (the left-trivialised differential is the right Jacobian),
+/// so check the sign of the commutator. Source: Munthe-Kaas, Appl. Numer. Math. 29 (1999).
 Vector3d dexpinv(const AngleFunctions& f, const Vector3d& u, const Vector3d& omega);
 
 /// Returns exp(hat(u)), eq. (21) with u = h omega: the rotation by the angle |u| in rad about u.

@@ -4,21 +4,21 @@
 
 namespace twrench::motion {
 
-/// A motion cannot be computed in the way that was asked for, though each value is allowed.
+/// A motion cannot be computed as requested, although each value is allowed.
 class MotionError : public Error {
  public:
-  /// Why it cannot.
+  /// The reason for the failure.
   enum class Reason {
-    step_too_long,   ///< a fixed step is longer than a turn of the body, or than the method takes
-    diverged,        ///< a method that leaves SO(3) has gone too far from it
-    too_many_steps,  ///< fixed ones, counted before the first is taken
-    out_of_steps,    ///< an adaptive method has taken as many as it may
+    step_too_long,   ///< a fixed step exceeds a turn of the body or the method's limit
+    diverged,        ///< a method that leaves SO(3) has strayed too far from it
+    too_many_steps,  ///< more fixed steps than StepControl::max_steps
+    out_of_steps,    ///< an adaptive method has taken StepControl::max_steps
     step_underflow,  ///< an adaptive method finds no step that meets its tolerance
     too_many_flips,  ///< more flip times than can be listed
-    stopped,         ///< by StepControl::stop
+    stopped,         ///< interrupted through StepControl::stop
   };
 
-  /// What failed and why, in words and as one of the reasons.
+  /// `what` failed because of `why`, which `reason` classifies.
   MotionError(const std::string& what, const std::string& why, Reason reason)
       : Error(what, why), reason_(reason) {}
   /// Copies it.
@@ -27,7 +27,7 @@ class MotionError : public Error {
   MotionError& operator=(const MotionError&) = default;
   ~MotionError() override;
 
-  /// Why, as one of the reasons.
+  /// Returns the reason for the failure.
   Reason reason() const noexcept { return reason_; }
 
  private:

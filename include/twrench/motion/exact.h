@@ -1,10 +1,9 @@
 #pragma once
 
-#include <twrench/math/elliptic.h>
 #include <twrench/motion/free_body.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -12,8 +11,11 @@
 
 namespace twrench::motion {
 
-/// As a number of threads: as many as there are processors.
+/// As a number of threads: one per processor.
 inline constexpr unsigned all_processors = 0;
+
+/// The constants of an ExactMotion.
+class ExactSolution;
 
 /// The motion of a free rigid body in closed form: the solution of eq. (19)-(20) at any t and at a
 /// cost independent of t. docs/exact.md derives it and numbers its equations from
@@ -24,6 +26,8 @@ inline constexpr unsigned all_processors = 0;
 /// error of X grows as eps |omega| t, and beyond that only as fast as the motion itself amplifies a
 /// relative error of eps in the initial velocity. Momentum components below 1e-145 |L| may be
 /// treated as zero.
+///
+/// Copies share their constants. Moving an object copies it, so that no motion is ever empty.
 class ExactMotion {
  public:
   /// How the momentum moves in the body frame.
@@ -40,6 +44,11 @@ class ExactMotion {
 
   /// Prepares the constants of the motion.
   explicit ExactMotion(const FreeBody& body);
+  /// Copies it.
+  ExactMotion(const ExactMotion&) = default;
+  /// Copies it.
+  ExactMotion& operator=(const ExactMotion&) = default;
+  ~ExactMotion() = default;
 
   /// Returns the sample at time t in s, of either sign. Throws OutOfRange unless t is finite.
   Sample at(double t) const;
@@ -47,17 +56,17 @@ class ExactMotion {
   /// Evaluates the motion at n times in s, of either sign and in any order, in vector registers and
   /// on up to `threads` threads. Writes the attitudes to `X`, n x 3 x 3 numbers in row-major order
   /// (see attitude_at()), and the angular velocities in body axes, rad/s, to `omega`, n x 3
-  /// numbers. An empty array leaves its quantity out. Each has the bits that at(t)
-  /// gives for its time alone, whatever the other times and the number of threads. Throws
-  /// OutOfRange about "times[i]" unless that is finite, and InvalidArgument about "X" or "omega"
-  /// where the size is wrong, before anything is written.
+  /// numbers. If an array is empty, its quantity is not written. Each sample has the same bits as
+  /// at(t), whatever the other times and the number of threads. Throws OutOfRange about "times[i]"
+  /// unless it is finite, and InvalidArgument about "X" or "omega" if its size is wrong, before
+  /// anything is written.
   void at(std::span<const double> times, std::span<double> X, std::span<double> omega,
           unsigned threads = all_processors) const;
-  /// The same as samples, in the order of `times`.
+  /// Does the same, and returns samples in the order of `times`.
   std::vector<Sample> at(std::span<const double> times, unsigned threads = all_processors) const;
 
-  /// Returns which of these the motion is.
-  Kind kind() const { return kind_; }
+  /// Returns the kind of the motion.
+  Kind kind() const;
 
   /// The flips of a motion: sign changes of the component of omega along the intermediate axis.
   /// That axis swings from one side of the plane normal to L to the other and back. With `swing`
@@ -74,74 +83,57 @@ class ExactMotion {
     double swing;
     /// |lambda| in 1/s: the rate of the argument of Jacobi's functions, (E3).
     double rate;
-    /// Their complementary parameter 1 - k^2, from 0 (the separatrix) to below 1.
+    /// The complementary parameter 1 - k^2 of these functions, from 0 (the separatrix) to below 1.
     double mc;
 
-    /// Returns whether the intermediate axis swings through at least a right angle: only then is
-    /// the motion a turning over rather than a wobble.
+    /// Returns whether the intermediate axis swings through at least a right angle: only then does
+    /// the body turn over rather than wobble.
     bool turns_over() const { return swing >= std::numbers::pi / 2; }
   };
   /// Returns the flips; nothing for steady motion or for a symmetric body, which has no
   /// intermediate axis.
   std::optional<Flips> flips() const;
 
-  /// Returns the time in s in which the momentum traverses its path in the body frame once: the
-  /// period of the nutation. Infinite on the separatrix; nothing for steady motion.
+  /// Returns the period of the nutation in s: the time in which the momentum traverses its path in
+  /// the body frame once. Infinite on the separatrix; nothing for steady motion.
   std::optional<double> nutation_period() const;
 
-  /// The instants, s, of all flips with 0 < t <= t_end, ascending. Throws OutOfRange
-  /// unless t_end is finite, and MotionError where there are more than 10^7.
+  /// The rotation about L in one period of the nutation: X(T) X(0)^T = Rot(L/|L|, total), without
+  /// mod 2 pi (Montgomery, How much does the rigid body rotate?, Amer. J. Phys. 59 (1991);
+  /// docs/theory.md).
+  struct Phase {
+    double period;   ///< T in s: that of nutation_period().
+    double total;    ///< In rad.
+    double dynamic;  ///< The integral of omega . L/|L| in rad: 2 E T / |L| for a rigid body.
+
+    /// Returns the part that depends on the path of the momentum alone: minus area().
+    double geometric() const { return total - dynamic; }
+    /// Returns the area on the unit sphere that is enclosed by the path of the momentum's direction
+    /// in the body, on the side of the axis that it circles. Negative if the path runs clockwise as
+    /// seen from outside, as it does about the axis of least moment.
+    double area() const { return dynamic - total; }
+  };
+  /// Returns the phase; nothing for steady motion or on the separatrix.
+  std::optional<Phase> phase() const;
+
+  /// Returns the times in s of all flips with 0 < t <= t_end, ascending. Throws OutOfRange unless
+  /// t_end is finite, and MotionError if there are more than 10^7.
   std::vector<double> flip_times(double t_end) const;
 
  private:
-  // Without Eigen's alignment, which depends on compiler flags: a program may have other flags than
-  // the library.
-  using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
-  using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
-
-  /// The constants of a motion, in the axes (a, b, c) of docs/exact.md: L circles a, and b is the
-  /// intermediate axis. A steady spin has an orbit too, with L along a and k = 0.
-  struct Orbit {
-    elliptic::Jacobi jacobi;
-    double m, mc;               ///< Parameter k^2, and 1 - k^2.
-    double rate;                ///< lambda = du/dt in 1/s.
-    double phase;               ///< u at t = 0.
-    double quarter_turns;       ///< Of psi/2, on average, per second.
-    Eigen::Vector3d amplitude;  ///< Amplitudes of mu = m/G = (a dn u, b sn u, c cn u).
-    /// Maps the quaternion (w, x, y, z) of Rot(e_a, psi) P, eq. (E5), to that of X. Both are
-    /// determined up to a factor.
-    Matrix4 attitude_from_turn = Matrix4::Zero();
-    Eigen::Matrix3d omega_from_mu = Eigen::Matrix3d::Zero();  ///< In rad/s.
-  };
-  struct Samples;
-
-  void prepare(const FreeBody& body);
-  static Orbit steady_orbit(const Eigen::Vector3d& omega);
-  static Orbit orbit(double G, const Eigen::Vector3d& mu, const Eigen::Vector3d& I, double D2);
-  /// The quaternion of Rot(e_a, psi) P at t = 0, up to a factor.
-  static Quaternion turn_at_start(const Orbit& orbit);
-  template <class Write>
-  void for_each_block(std::span<const double> times, unsigned threads, const Write& write) const;
-
-  Kind kind_ = Kind::steady;
-  Sample start_;  ///< At t = 0, where the constants give it up to their rounding only.
-  Orbit orbit_;
+  std::shared_ptr<const ExactSolution> solution_;
 };
 
-/// Returns attitude number `index` of an array that ExactMotion::at() or exact_many() has written.
-/// The array is in row-major order; Eigen's matrices are in column-major order, so that a
-/// `Map<Matrix3d>` of it would be the transpose. Throws OutOfRange about "index" where the array
-/// has no such attitude.
+/// Returns attitude number `index` of an array written by ExactMotion::at() or exact_many(). The
+/// array is in row-major order and Eigen's matrices are in column-major order, so a `Map<Matrix3d>`
+/// of it would be the transpose. Throws OutOfRange about "index" if the array has no such attitude.
 Eigen::Matrix3d attitude_at(std::span<const double> X, std::size_t index);
 
 /// Takes an exact step of h s, of either sign: returns the body with the attitude and the angular
-/// velocity that its motion has at h. This is for simulations whose bodies are pushed between
-/// steps; the motion of a body that is left alone is ExactMotion. Each step rounds the state:
-/// 100,000 steps near the separatrix drift by 4e-6 where ExactMotion stays exact. Throws OutOfRange
-/// about "t" unless h is finite.
+/// velocity of its motion at time h. It is meant for simulations that push bodies between steps;
+/// for an undisturbed body use ExactMotion. Each step rounds the state, and near the separatrix the
+/// motion amplifies this error (docs/library.md, "Restarts"). Throws OutOfRange about "t" unless h
+/// is finite.
 FreeBody exact_step(const FreeBody& body, double h);
-
-static_assert(alignof(ExactMotion) == alignof(elliptic::Jacobi),
-              "the layout depends on compiler flags");
 
 }  // namespace twrench::motion

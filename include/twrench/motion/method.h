@@ -8,7 +8,8 @@
 
 namespace twrench::motion {
 
-/// How a method gets from one time to another. Its definition is private to the library.
+/// The algorithm that takes a method from one time to another. Its definition is private to the
+/// library.
 struct Scheme;
 
 /// An integration method: data with its citation. One stepper runs them all.
@@ -18,15 +19,15 @@ struct Method {
   /// Coefficients and kind of the method; never null. What it points to must outlive the method.
   const Scheme* scheme;
   std::optional<int> order;  ///< observed on SO(3), which may be less than the tableau's own; none
-                             ///< for the closed form, whose error knows no step
-  /// Whether the energy is conserved to round-off for every step size (`taylor`: up to a tolerance
-  /// of 1e-8).
+                             ///< for the closed form, whose error does not depend on a step
+  /// Whether the energy is conserved to round-off for every step size (`taylor`: of a rigid
+  /// body, up to a tolerance of 1e-8).
   bool conserves_energy;
   bool reversible;           ///< Whether a step of -h undoes a step of h, to round-off.
-  std::string_view source;   ///< Where the specification or the literature defines it.
+  std::string_view source;   ///< Reference to the specification or the literature.
   std::string_view summary;  ///< One-line description for users.
 
-  /// It is the solution itself, without steps.
+  /// Returns whether the method is the closed form, which takes no steps.
   bool exact() const;
   /// Returns whether the method chooses its own step sizes.
   bool adaptive() const;

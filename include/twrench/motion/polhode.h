@@ -1,5 +1,7 @@
 #pragma once
 
+#include <twrench/body/mass_properties.h>
+
 #include <Eigen/Core>
 #include <array>
 #include <optional>
@@ -15,12 +17,12 @@ namespace twrench::motion {
 /// With omega_i = G mu_i / I_i it becomes the polhode, the path of omega in the body.
 ///
 /// The functions of a level throw InvalidArgument about "moments" unless they are positive, finite,
-/// ascending and not all equal, and OutOfRange about "energy", "axis" and "side".
+/// ascending and not all equal, and about an invalid "axis"; OutOfRange about "energy" and "side".
 struct EnergyLevel {
-  Eigen::Vector3d moments;  ///< Principal moments in g cm^2, ascending, not all equal.
-  double energy;            ///< 2T/G^2 in 1/(g cm^2), from 1/moments[2] to 1/moments[0].
-  int axis;                 ///< Index of the axis that the curve circles: 0 or 2.
-  double side;              ///< Sign of mu along that axis: 1 or -1.
+  Eigen::Vector3d moments;         ///< Principal moments in g cm^2, ascending, not all equal.
+  double energy;                   ///< 2T/G^2 in 1/(g cm^2), from 1/moments[2] to 1/moments[0].
+  body::PrincipalAxes::Axis axis;  ///< The axis that the curve circles: least or greatest.
+  double side;                     ///< Sign of mu along that axis: 1 or -1.
 
   /// Returns the point whose other two components are proportional to the cosine and sine of `phi`,
   /// each scaled by its amplitude; phi from 0 to 2 pi traverses the curve once. Throws OutOfRange
@@ -28,7 +30,7 @@ struct EnergyLevel {
   Eigen::Vector3d at(double phi) const;
 
   /// Returns whether motion along the curve comes to rest at the intermediate axis, or so close to
-  /// it that the difference is invisible.
+  /// it that no difference is visible.
   bool is_separatrix() const;
 };
 
@@ -40,9 +42,9 @@ struct EnergyLevel {
 std::optional<EnergyLevel> level_through(const Eigen::Vector3d& moments, const Eigen::Vector3d& mu);
 
 /// Returns `count` levels around each end of the axes of least and greatest moment, evenly spaced
-/// where they cross the plane of the intermediate axis. There are none around an axis without a
-/// stable rotation, such as the transverse axes of a symmetric body. Throws InvalidArgument about
-/// "moments" as above and OutOfRange about a negative "count".
+/// where they cross the plane of the intermediate axis. There are none around an axis about which
+/// no rotation is stable, such as the transverse axes of a symmetric body. Throws InvalidArgument
+/// about "moments" as above and OutOfRange about a negative "count".
 std::vector<EnergyLevel> level_family(const Eigen::Vector3d& moments, int count);
 
 /// Returns the two unit vectors u for which the separatrix consists of the great circles cos(phi)

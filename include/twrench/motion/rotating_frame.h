@@ -17,19 +17,21 @@ struct RotatingFrame {
   Eigen::Vector3d alpha = Eigen::Vector3d::Zero();
 };
 
-/// Returns the derivative of omega in rad/s^2 for an angular velocity in body axes, rad/s: Euler's
-/// equations, I omega' = I omega x omega. Throws OutOfRange about "omega" unless it is finite.
-Eigen::Vector3d angular_acceleration(const FreeBody& body, const Eigen::Vector3d& omega);
+/// Returns the derivative of omega in rad/s^2, body axes. A rigid body obeys Euler's equations, I
+/// omega' = I omega x omega; any other body obeys m' = m x omega with m = X^T L. Throws OutOfRange
+/// about "omega" or "X" unless that of the sample is finite.
+Eigen::Vector3d angular_acceleration(const FreeBody& body, const Sample& sample);
 
-/// Returns the frame that is fixed in the body. Its axes are those of a rotation even if the
-/// sample, of a method that leaves SO(3), is none. Throws OutOfRange about "X" or "omega" unless
+/// Returns the frame that is fixed in the body. Its attitude is a rotation even if that of the
+/// sample is not, because its method leaves SO(3). Throws OutOfRange about "X" or "omega" unless
 /// those of the sample are finite.
 RotatingFrame body_frame(const FreeBody& body, const Sample& sample);
 
-/// Returns the frame that turns steadily about L as the body would if it rotated about axis k, the
-/// principal axis nearest to L at t = 0: with Omega = L / I_k, and at t = 0 along the axes of
-/// space. A steady rotation is at rest in it, and a slow deviation from one is a slow motion. It is
-/// inertial for a body at rest. `t` is in s. Throws OutOfRange about "t" unless it is finite.
+/// Returns the frame that turns about L with the constant Omega = L / I_k, as the body would if it
+/// rotated steadily about axis k, the principal axis nearest to L at t = 0. At t = 0 it is aligned
+/// with the axes of space. A body in steady rotation is at rest in this frame, and a slow deviation
+/// from it appears as a slow motion. The frame is inertial for a body at rest. `t` is in s. Throws
+/// OutOfRange about "t" unless it is finite.
 RotatingFrame steady_frame(const FreeBody& body, double t);
 
 /// A point mass of the body as it moves in a frame, and the forces on it. Vectors are along the
@@ -43,25 +45,25 @@ struct PointForces {
   Eigen::Vector3d centrifugal;   ///< -m Omega x (Omega x r)
   Eigen::Vector3d coriolis;      ///< -2 m Omega x v
   Eigen::Vector3d euler;         ///< -m Omega' x r
-  Eigen::Vector3d constraint;    ///< What holds it: the force of the rest of the body.
+  Eigen::Vector3d constraint;    ///< The force of the rest of the body, which holds the point.
 };
 
 /// The forces in a frame on the points of a body at one time.
 class FrameForces {
  public:
-  /// `sample` is the motion of `body` at the time of `frame`. Throws OutOfRange about "attitude",
+  /// `sample` is the state of `body` at the time of `frame`. Throws OutOfRange about "attitude",
   /// "omega", "alpha" or "X" unless it is finite.
   FrameForces(const RotatingFrame& frame, const FreeBody& body, const Sample& sample);
 
-  /// Returns the forces on a mass in g at a position in body axes, cm. All are linear in both.
-  /// Throws OutOfRange about "mass" unless it is finite and not negative, and about "position"
-  /// unless it is finite.
+  /// Returns the forces on a mass in g at a position in body axes, cm. They are linear in the mass
+  /// and in the position. Throws OutOfRange about "mass" unless it is finite and not negative, and
+  /// about "position" unless it is finite.
   PointForces on(double mass, const Eigen::Vector3d& position) const;
 
  private:
   Eigen::Matrix3d frame_from_body_;
   RotatingFrame frame_;
-  Eigen::Vector3d omega_;  ///< Of the body, along the frame's axes, in rad/s.
+  Eigen::Vector3d omega_;  ///< Angular velocity of the body, along the frame's axes, in rad/s.
   Eigen::Vector3d alpha_;  ///< Its derivative in space, along the frame's axes, in rad/s^2.
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <twrench/body/mass_properties.h>
 #include <twrench/motion/free_body.h>
 
 #include <Eigen/Core>
@@ -8,16 +9,17 @@
 
 namespace twrench::motion {
 
-/// What a small tilt of a steadily rotating body does: the solution of Euler's equations linearised
-/// about a rotation about a principal axis (docs/theory.md, "Which axis is unstable").
+/// The stability of a steady rotation about a principal axis: the behaviour of a small tilt
+/// according to Euler's equations, linearised about that rotation (docs/theory.md, "Which axis is
+/// unstable").
 struct Stability {
-  /// What becomes of the tilt.
+  /// The behaviour of the tilt.
   enum class Kind {
     unstable,  ///< It grows as exp(rate * t).
     stable,    ///< It wobbles as cos(rate * t).
-    neutral,   ///< Neither: the axis is not the only one with its moment, or the body is at rest.
+    neutral,   ///< Neither: another axis has the same moment, or the body is at rest.
   };
-  /// What becomes of the tilt.
+  /// The behaviour of the tilt.
   Kind kind = Kind::neutral;
   /// Rate of growth in 1/s or angular frequency in rad/s; 0 if neutral.
   double rate = 0;
@@ -28,23 +30,25 @@ struct Stability {
   double period() const;
 };
 
-/// Returns the stability of a rotation at `omega` rad/s about the axis with that index, for
-/// principal moments in g cm^2, in any order: rate^2 = omega^2 |(I_k - I_i)(I_k - I_j)| / (I_i
-/// I_j). Throws OutOfRange about "moments" unless they are positive and finite, about "axis" unless
-/// it is 0, 1 or 2, and about "omega" unless it is finite.
-Stability stability(const Eigen::Vector3d& moments, int axis, double omega);
+/// Returns the stability of a rotation at `omega` rad/s about axis k, for principal moments in g
+/// cm^2, ascending. The rate follows from rate^2 = omega^2 |(I_k - I_i)(I_k - I_j)| / (I_i I_j).
+/// Throws OutOfRange about "moments" unless they are positive and finite and about "omega" unless
+/// it is finite; InvalidArgument about "moments" unless they are ascending, and about "axis" unless
+/// it is one of the three.
+Stability stability(const Eigen::Vector3d& moments, body::PrincipalAxes::Axis axis, double omega);
 
-/// The tilt of a body against its angular momentum: the angle between L and the principal axis that
-/// is nearest to L at t = 0, or the opposite direction of that axis after a flip.
+/// The tilt of a body relative to its angular momentum: the angle between L and the principal axis
+/// that is nearest to L at t = 0, or the opposite direction of that axis after a flip.
 class Tilt {
  public:
-  /// Throws nothing; a body at rest has no tilt.
+  /// A body at rest has no tilt. Throws nothing.
   explicit Tilt(const FreeBody& body);
 
-  /// Returns the index of the axis in body.principal(), which lists the least moment first.
-  int axis() const { return axis_; }
+  /// Returns the principal axis from which the tilt is measured.
+  body::PrincipalAxes::Axis axis() const { return axis_; }
 
-  /// Returns the rate in rad/s of the steady rotation about this axis with the same L: |L| / I_k.
+  /// Returns the rate in rad/s of the steady rotation about this axis with the same L: |L| / I_k,
+  /// or, with a wheel, | |L| -+ h_k | / I_k.
   double steady_rate() const { return steady_rate_; }
 
   /// Returns the tilt in rad, from 0 to pi/2; 0 for a body at rest. Throws OutOfRange about "omega"
@@ -61,16 +65,21 @@ class Tilt {
     double rate;       ///< In 1/s.
   };
 
-  /// Returns the growth of a small tilt until the first flip, or nothing if the axis is not
-  /// unstable.
+  /// Returns the growth of a small tilt of a rigid body until the first flip, or nothing if the
+  /// axis is not unstable.
   std::optional<Growth> growth() const;
 
  private:
+  /// Returns the momentum in principal axes.
+  Eigen::Vector3d momentum(const Sample& sample) const;
+
   Eigen::Vector3d moments_;
   Eigen::Matrix3d axes_;                 ///< Body from principal axes.
   Eigen::Matrix3d momentum_from_omega_;  ///< From body axes to principal ones.
   Eigen::Vector3d start_;                ///< Momentum at t = 0 in principal axes.
-  int axis_ = 0;
+  bool is_rigid_;
+  Eigen::Vector3d momentum_;  ///< L, space axes.
+  body::PrincipalAxes::Axis axis_ = body::PrincipalAxes::least;
   double steady_rate_ = 0;
 };
 

@@ -17,8 +17,8 @@ Eigen::Vector3d angular_velocity(const FreeBody& body, const Method& method,
 struct Step {
   /// Attitude at the end of the step.
   Eigen::Matrix3d X;
-  /// Error estimate: E = sqrt(trace(dW^T dW)) of an embedded pair, section 4.5, last_terms of a
-  /// series, otherwise 0. Infinite if h is too long for the method; X is then meaningless.
+  /// Error estimate: for an embedded pair E = sqrt(trace(dW^T dW)), section 4.5; for a series
+  /// last_terms; otherwise 0. Infinite if h is too long for the method; X is then meaningless.
   double error;
   /// Evaluations of omega.
   int evaluations;

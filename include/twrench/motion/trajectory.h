@@ -22,27 +22,27 @@ struct Trajectory {
 /// Returns the motion, sampled at exactly `times` (in s, in any order, of either sign).
 ///
 /// The accepted steps t_k depend only on the method and the step control. A sample between t_k and
-/// t_(k+1) is one shortened step from t_k that does not affect later steps, so that the sample at t
-/// is bit-identical whichever other times are requested.
+/// t_(k+1) is one shortened step from t_k that does not affect later steps. The sample at t
+/// therefore has the same bits whichever other times are requested.
 ///
 /// Throws OutOfRange about a "time" that is not finite and as make_propagator does; MotionError
 /// when an adaptive step underflows, the motion diverges, a step is longer than a turn of the body
-/// or otherwise too long for the method, or max_steps is passed.
+/// or otherwise too long for the method, or max_steps is exceeded.
 Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
                      std::span<const double> times);
 
 /// Calls `visit` with the samples at time(0), ..., time(count - 1), which must be ascending and not
-/// negative. The samples are those of integrate(), but none is stored. Throws as integrate() does,
-/// InvalidArgument about a "time" that is less than the one before, and about "time" or "visit" if
-/// the function is empty.
+/// negative. The samples are those of integrate(), but are not stored. Throws as integrate() does;
+/// InvalidArgument about a "time" that is less than the previous one, and about "time" or "visit"
+/// if the function is empty.
 void visit_samples(const FreeBody& body, const Method& method, const StepControl& control,
                    std::size_t count, const std::function<double(std::size_t)>& time,
                    const std::function<void(const Sample&)>& visit);
 
-/// Calls `visit` for each of the method's own steps, those it accepts, from t = 0 to the first that
-/// ends at t_end (s, >= 0) or beyond. The closed form, which has none, goes in steps of
-/// `control.step`. Throws as integrate() does, OutOfRange about "t_end" if it is negative or not
-/// finite, and InvalidArgument about "visit" if the function is empty.
+/// Calls `visit` for each step that the method accepts, from t = 0 to the first that ends at t_end
+/// (s, >= 0) or later. The closed form, which has no steps, advances by `control.step`. Throws as
+/// integrate() does; OutOfRange about "t_end" if it is negative or not finite, and InvalidArgument
+/// about "visit" if the function is empty.
 void visit_steps(const FreeBody& body, const Method& method, const StepControl& control,
                  double t_end, const std::function<void(const AcceptedStep&)>& visit);
 

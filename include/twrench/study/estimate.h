@@ -7,12 +7,12 @@
 namespace twrench::study {
 
 /// Returns the true local error of a step: the Frobenius distance between its end and the exact
-/// motion started from its beginning. Throws OutOfRange about "X", "after" or "h" where the
-/// beginning, the end or the length of the step is not finite.
+/// motion started from its beginning. Throws OutOfRange about "X", "after" or "h" if the beginning,
+/// the end or the length of the step is not finite.
 double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step);
 
-/// The quality of an embedded pair's error estimate E: the true local errors of accepted steps
-/// compared with it. NaN if no step has an error above round-off.
+/// The quality of an embedded pair's error estimate E, compared with the true local errors of
+/// accepted steps. NaN if no step has an error above round-off.
 struct EstimateQuality {
   double median_ratio;   ///< Median of true/E.
   double largest_ratio;  ///< Maximum of true/E.
@@ -25,8 +25,8 @@ class EstimateCheck {
   /// Keeps a copy of `body`.
   explicit EstimateCheck(const motion::FreeBody& body) : body_(body) {}
 
-  /// Takes the next step into account. Throws as local_error() does, and OutOfRange about "error"
-  /// unless that of the step is finite and not negative.
+  /// Adds the next step. Throws as local_error() does, and OutOfRange about "error" unless that of
+  /// the step is finite and not negative.
   void visit(const motion::AcceptedStep& step);
   /// Returns the quality over the steps so far.
   EstimateQuality quality() const;

@@ -18,7 +18,7 @@ class FlipSearch {
 
   /// Processes the next step. Throws OutOfRange about "length" unless that of the step is positive,
   /// about "t" or "X" unless it is finite, and InvalidArgument about "t" unless the step begins
-  /// after the one before.
+  /// after the previous one.
   void visit(const motion::AcceptedStep& step);
 
   /// Returns the times found so far in s, ascending.
@@ -31,7 +31,7 @@ class FlipSearch {
   motion::FreeBody body_;
   motion::Method method_;
   double sign_ = 0.0;           ///< Sign of the component when it was last nonzero; 0 before that.
-  std::optional<double> last_;  ///< s, where the last step began.
+  std::optional<double> last_;  ///< Start of the last step in s.
   std::vector<double> times_;
 };
 

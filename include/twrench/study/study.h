@@ -13,7 +13,7 @@
 
 namespace twrench::study {
 
-/// What a study runs.
+/// The methods, step sizes and limits of a study.
 struct StudyPlan {
   /// The methods to compare.
   std::vector<const motion::Method*> methods;
@@ -37,9 +37,9 @@ struct StudyRun {
   double step = 0.0;
   /// Tolerance of an adaptive method.
   std::optional<double> tolerance;
-  /// Why the method failed; if set, no later field is set except the reason.
+  /// Why the method failed; if set, no later field is set except `failure_reason`.
   std::string failure;
-  /// The same as one of the reasons.
+  /// The reason of the failure.
   std::optional<motion::MotionError::Reason> failure_reason = {};
   /// Frobenius norm of X - X_exact at Study::early.
   double early_error = 0.0;
@@ -53,7 +53,8 @@ struct StudyRun {
   double momentum_error = 0.0;
   /// Times of the flips in the method's own solution, in s.
   std::vector<double> flips;
-  /// Largest error of a flip time in s, over those that both solutions have; NaN if there are none.
+  /// Largest error of a flip time in s, over the flips that both solutions have; NaN if there are
+  /// none.
   double flip_error = 0.0;
   /// Number of steps, including rejected ones.
   std::int64_t steps = 0;
@@ -83,8 +84,8 @@ struct MethodStudy {
 struct Study {
   /// Duration of the motion in s.
   double duration = 0.0;
-  /// Time in s at which orders are measured: after a rotation of about 10 rad, before flips have
-  /// amplified energy errors, which may have another order.
+  /// Time in s at which orders are measured: after a rotation of about 10 rad, but before flips
+  /// have amplified energy errors, whose order may differ.
   double early = 0.0;
   /// The flips of the exact motion.
   std::optional<motion::ExactMotion::Flips> flips;
@@ -94,10 +95,10 @@ struct Study {
   std::vector<MethodStudy> methods;
 };
 
-/// Runs them all. A method that does not get to the end, of steps that are too long for it, say, is
-/// a run with a failure. Throws OutOfRange about a duration, a step or a tolerance that cannot be,
-/// InvalidArgument about "steps" if there are none, about "tolerances" if there are none for an
-/// adaptive method, and about "methods" if one is null; MotionError when it is stopped.
+/// Runs the study. If a method does not reach the end, for example because its steps are too long,
+/// the run records the failure. Throws OutOfRange about a duration, a step or a tolerance that is
+/// not allowed; InvalidArgument about "steps" if there are none, about "tolerances" if there are
+/// none for an adaptive method, and about "methods" if one is null; MotionError when it is stopped.
 Study run_study(const motion::FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench::study

@@ -4,7 +4,7 @@
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/reports/case_report.h"
-#include "app/terminal/output.h"
+#include "system/output.h"
 
 namespace twrench::app {
 namespace {
@@ -43,9 +43,9 @@ void add_cases(CLI::App& app) {
   add_format_option(*command, options->format, {"text", "json", "csv"});
   add_output_option(*command, options->output);
   command->callback([options] {
-    write_output(options->output, options->name.empty()
-                                      ? list_of_cases(options->format)
-                                      : single_case(options->name, options->format));
+    system::write_output(options->output, options->name.empty()
+                                              ? list_of_cases(options->format)
+                                              : single_case(options->name, options->format));
   });
 }
 

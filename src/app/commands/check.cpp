@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numbers>
+#include <optional>
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/options/check_setup.h"
-#include "app/reports/check_report.h"
+#include "app/options/option_group.h"
 #include "app/terminal/message.h"
-#include "app/terminal/output.h"
-#include "check/verdict/error.h"
+#include "check/report/checked_file.h"
+#include "check/report/report.h"
 #include "plot/check_plot.h"
 #include "scene/limits.h"
-#include "study/ladder.h"
 #include "system/file.h"
+#include "system/output.h"
 
 namespace twrench::app {
 namespace {
@@ -32,72 +32,15 @@ struct CheckOptions {
   bool no_fail = false;
 };
 
-double parse_bound(const std::string& text, const std::string& option) {
+std::optional<double> parse_bound(const std::string& text, const std::string& option) {
+  if (text.empty()) return std::nullopt;
   return parse_number(text, option, {0.0, scene::limits::huge});
 }
 
-/// Throws InvalidArgument where a bound is for what the file does not have.
-[[noreturn]] void refuse_bound(const std::string& option, const std::string& file,
-                               const char* missing) {
-  throw InvalidArgument(option, fmt::format("{} has no {} to hold against it", file, missing),
-                        "leave the option out");
-}
-
-std::vector<CheckBound> bounds_of(const CheckOptions& options, const std::string& file,
-                                  const check::Judgement& judgement) {
-  std::vector<CheckBound> bounds;
-  if (!options.max_attitude_error.empty()) {
-    const std::string name = "--max-attitude-error";
-    if (!judgement.attitude) refuse_bound(name, file, "attitude");
-    bounds.push_back({name, "deg", parse_bound(options.max_attitude_error, name),
-                      degrees(judgement.attitude->max)});
-  }
-  if (!options.max_rate_error.empty()) {
-    const std::string name = "--max-rate-error";
-    const RateScale unit = rate_scale(judgement);
-    if (!judgement.rates) refuse_bound(name, file, "rates");
-    bounds.push_back({name, unit.symbol, parse_bound(options.max_rate_error, name),
-                      judgement.rates->max * unit.per_radian});
-  }
-  if (!options.max_energy_drift.empty()) {
-    const std::string name = "--max-energy-drift";
-    bounds.push_back(
-        {name, "", parse_bound(options.max_energy_drift, name), judgement.energy_drift});
-  }
-  return bounds;
-}
-
-/// Before any file is read.
-void check_bounds(const CheckOptions& options) {
-  for (const auto& [text, name] : {std::pair(options.max_attitude_error, "--max-attitude-error"),
-                                   std::pair(options.max_rate_error, "--max-rate-error"),
-                                   std::pair(options.max_energy_drift, "--max-energy-drift")}) {
-    if (!text.empty()) parse_bound(text, name);
-  }
-}
-
-/// The fit of the initial state, if the rows begin in another state than the given one.
-std::optional<check::Fit> other_start_of(const CheckedFile& file, check::Problem problem) try {
-  if (verdict(file).finding != Finding::start) return std::nullopt;
-  problem.omega.reset();
-  problem.fit = true;
-  return check::judge(file.name, file.judgement.convention, problem).fit;
-} catch (const check::CheckError&) {
-  return std::nullopt;  // it is at rest
-}
-
-CheckedFile check_file(const CheckOptions& options, const check::Problem& problem,
-                       const std::string& name) {
-  const check::Convention convention = options.setup.convention(name, problem);
-  CheckedFile file{name, check::judge(name, convention, problem), {}, {}, {}, 0};
-  file.alternatives = check::better_readings(name, problem, file.judgement);
-  file.other_start = other_start_of(file, problem);
-  file.bounds = bounds_of(options, name, file.judgement);
-  if (file.judgement.rows > 1) {
-    file.step = (file.judgement.last_time - file.judgement.first_time) /
-                static_cast<double>(file.judgement.rows - 1);
-  }
-  return file;
+check::Bounds bounds_of(const CheckOptions& options) {
+  return {.attitude_error = parse_bound(options.max_attitude_error, "--max-attitude-error"),
+          .rate_error = parse_bound(options.max_rate_error, "--max-rate-error"),
+          .energy_drift = parse_bound(options.max_energy_drift, "--max-energy-drift")};
 }
 
 std::vector<double> given_steps(const CheckOptions& options) {
@@ -109,85 +52,43 @@ std::vector<double> given_steps(const CheckOptions& options) {
       "--steps", fmt::format("has {} step sizes for {} files", steps.size(), options.files.size()));
 }
 
-/// The exponent of the errors that the digits do not explain and that still grow: those of rates
-/// are at most about |omega|, those of attitudes half a turn.
-std::optional<double> order(const std::vector<CheckedFile>& files,
-                            std::optional<check::ErrorSize> check::Judgement::*errors) {
-  std::vector<study::PowerLawPoint> points;
-  for (const CheckedFile& file : files) {
-    const auto& size = file.judgement.*errors;
-    const double speed = file.judgement.reference.body.omega().norm();
-    const double most = errors == &check::Judgement::rates ? speed / 2 : std::numbers::pi / 2;
-    if (size && size->max > 0 && size->max < most && !file.judgement.within_digits) {
-      points.push_back({file.step, size->max});
-    }
-  }
-  return study::fitted_exponent(points);
-}
-
-/// Why the files tell no order, where they cannot.
-std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) {
-  const auto [least, most] = std::ranges::minmax_element(files, {}, &CheckedFile::step);
-  constexpr double alike = 1.01;
-  if (most->step <= alike * least->step) {
-    return has_steps ? "the step sizes that --steps gives are the same"
-                     : "the files have the same time between rows; --steps tells their step sizes";
-  }
-  const auto end = [](const CheckedFile& file) { return file.judgement.last_time; };
-  const auto [first, last] = std::ranges::minmax_element(files, {}, end);
-  if (end(*last) - end(*first) > 1.5 * most->step) return "the files end at different times";
-  return {};
-}
-
-CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
-  if (files.size() < 2) return {};
-  CheckOrders orders{{}, {}, why_no_order(files, has_steps)};
-  if (!orders.why_not.empty()) return orders;
-  orders.rates = order(files, &check::Judgement::rates);
-  orders.attitude = order(files, &check::Judgement::attitude);
-  if (!orders.rates && !orders.attitude) {
-    orders.why_not =
-        "fewer than two files have errors that their digits do not explain and that can still grow";
-  }
-  return orders;
-}
-
-CheckResult check_files(const CheckOptions& options) {
+check::CheckResult check_files(const CheckOptions& options, const check::Bounds& bounds) {
   const std::vector<double> steps = given_steps(options);
   const check::Problem problem = options.setup.problem();
-  CheckResult result;
+  const check::Convention given = options.setup.convention();
+  check::CheckResult result;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
-    result.files.push_back(check_file(options, problem, options.files[i]));
+    result.files.push_back(check::check_file(options.files[i], given, problem, bounds));
     if (!steps.empty()) result.files.back().step = steps[i];
   }
-  result.orders = orders_of(result.files, !steps.empty());
+  result.orders = check::orders_of(result.files, !steps.empty());
   return result;
 }
 
-std::string report(const CheckOptions& options, const CheckResult& result) {
-  if (options.format == "json") return check_json(result);
-  return options.format == "junit" ? check_junit(result) : check_text(result);
+std::string report(const CheckOptions& options, const check::CheckResult& result) {
+  if (options.format == "json") return check::check_json(result);
+  return options.format == "junit" ? check::check_junit(result) : check::check_text(result);
 }
 
-void draw(const std::string& path, const CheckResult& result) {
+void draw(const std::string& path, const check::CheckResult& result) {
   std::vector<plot::JudgedCurve> curves;
-  for (const CheckedFile& file : result.files) {
+  for (const check::CheckedFile& file : result.files) {
     curves.push_back({std::filesystem::path(file.name).filename().string(), &file.judgement});
   }
   plot::draw_plot(path, plot::check_plot(curves));
 }
 
-/// Says which bounds were exceeded.
-ExitCode answer(const CheckResult& result, bool no_fail) {
-  for (const CheckedFile& file : result.files) {
-    for (const CheckBound& bound : file.bounds) {
+/// Reports the exceeded bounds.
+ExitCode answer(const check::CheckResult& result, bool no_fail) {
+  for (const check::CheckedFile& file : result.files) {
+    for (const check::CheckBound& bound : file.bounds) {
       if (!bound.is_exceeded()) continue;
       say("twrench: check: {}: {} {} was exceeded: {:.6g}{}{}\n", file.name, bound.option,
           bound.most, bound.value, bound.unit.empty() ? "" : " ", bound.unit);
     }
   }
-  const bool all_pass = std::ranges::all_of(result.files, passes);
-  return all_pass || no_fail ? ExitCode::done : ExitCode::answer_is_no;
+  const bool all_pass = std::ranges::all_of(result.files, check::passes);
+  return all_pass || no_fail ? ExitCode::done : ExitCode::negative;
 }
 
 ExitCode run_check(const CheckOptions& options) {
@@ -199,9 +100,8 @@ ExitCode run_check(const CheckOptions& options) {
   options.setup.require_not_input(options.output);
   options.setup.require_not_input(options.plot);
   if (!options.plot.empty()) plot::require_gnuplot(options.plot);
-  check_bounds(options);
-  const CheckResult result = check_files(options);
-  Output output(options.output);  // write both it and the plot, or neither
+  const check::CheckResult result = check_files(options, bounds_of(options));
+  system::Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result));
   if (!options.plot.empty()) draw(options.plot, result);
   output.finish();
@@ -211,26 +111,32 @@ ExitCode run_check(const CheckOptions& options) {
 void add_result_options(CLI::App& command, CheckOptions& options) {
   command.add_option("--steps", options.steps, "step sizes of the files, s, for the order")
       ->type_name("H1,H2,...")
-      ->default_str("the time between rows");
+      ->default_str("the time between rows")
+      ->group(heading(OptionGroup::motion));
   command
       .add_option("--max-attitude-error", options.max_attitude_error,
-                  "exit 1 if the attitude is off by more, deg")
-      ->type_name("DEG");
+                  "exit 1 if the error of the attitude exceeds this, deg")
+      ->type_name("DEG")
+      ->group(heading(OptionGroup::bounds));
   command
       .add_option("--max-rate-error", options.max_rate_error,
-                  "exit 1 if a rate is off by more, in the file's unit")
-      ->type_name("E");
+                  "exit 1 if the error of a rate exceeds this, in the file's unit")
+      ->type_name("E")
+      ->group(heading(OptionGroup::bounds));
   command
       .add_option("--max-energy-drift", options.max_energy_drift,
                   "exit 1 if the energy drifts by more, relative")
-      ->type_name("E");
-  command.add_flag("--no-fail", options.no_fail, "exit 0 whatever the verdict");
+      ->type_name("E")
+      ->group(heading(OptionGroup::bounds));
+  command.add_flag("--no-fail", options.no_fail, "exit 0 whatever the verdict")
+      ->group(heading(OptionGroup::bounds));
   add_format_option(command, options.format, {"text", "json", "junit"});
   add_output_option(command, options.output);
   command
       .add_option("--plot", options.plot,
                   "plot errors and resolution limits against time: .svg, .pdf or .png")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::output));
 }
 
 }  // namespace

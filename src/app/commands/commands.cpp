@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/options/help.h"
+#include "app/options/option_group.h"
 #include "app/options/usage.h"
 #include "app/terminal/version.h"
 #include "base/nearest.h"
@@ -27,7 +28,8 @@ constexpr const char* exit_codes =
 
 void add_commands(CLI::App& app, ExitCode& code) {
   set_help_format(app);  // before the commands, which inherit it
-  app.set_version_flag("--version", version_text(), "Print the version and the licences, and exit");
+  app.set_version_flag("--version", version_text(), "Print the version and the licences, and exit")
+      ->group(heading(OptionGroup::run));
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.footer(exit_codes);
   app.require_subcommand(1);
@@ -45,8 +47,10 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_doctor(app, code);
   add_methods(app);
   add_scenes(app);
+  add_schema(app);
   add_cases(app);
   add_help(app);
+  add_help_all(app);
   refuse_empty_values(app);
 }
 

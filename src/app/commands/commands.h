@@ -7,7 +7,7 @@
 
 namespace twrench::app {
 
-/// What the program does, for its help.
+/// One-line description of the program in its help.
 inline constexpr const char* about = "Turn a rigid body's equations of motion into a film";
 
 // Each adds one command, whose callback does the work and throws an Error on failure.
@@ -26,8 +26,9 @@ void add_doctor(CLI::App& app, ExitCode& code);
 void add_methods(CLI::App& app);
 void add_cases(CLI::App& app);
 void add_scenes(CLI::App& app);
+void add_schema(CLI::App& app);
 
-/// Adds all commands and what they have in common.
+/// Adds all commands and their common options.
 void add_commands(CLI::App& app, ExitCode& code);
 
 /// Throws InvalidArgument, suggesting the nearest command, if `word` is neither an option nor a

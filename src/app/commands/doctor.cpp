@@ -10,15 +10,16 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/terminal/error_report.h"
 #include "app/terminal/message.h"
-#include "app/terminal/output.h"
 #include "canvas/font.h"
 #include "gl/backend.h"
 #include "plot/gnuplot.h"
 #include "system/disk_space.h"
 #include "system/file.h"
 #include "system/memory_file.h"
+#include "system/output.h"
 #include "system/processors.h"
 #include "system/program.h"
 #include "video/encoder.h"
@@ -31,14 +32,14 @@ namespace {
 struct Finding {
   std::string name;
   std::string used_for;
-  std::string found;   ///< what was found; empty if it is missing
+  std::string found;   ///< description, such as the version; empty if it is missing
   std::string why;     ///< why it is missing
   std::string remedy;  ///< how to provide it if it is missing
 
   bool is_ready() const { return !found.empty(); }
 };
 
-/// Returns what `look` finds, or the Error that it throws.
+/// Returns the result of `look`, or the Error that it throws.
 Finding examine(std::string name, std::string used_for, const std::function<std::string()>& look) {
   Finding finding{std::move(name), std::move(used_for), {}, {}, {}};
   try {
@@ -80,7 +81,7 @@ std::string ffmpeg_version() {
   return line.empty() ? "unknown version" : line;
 }
 
-/// Each codec of the output formats, in their order, with alpha if it encodes that.
+/// Checks the codec of each output format, in order, with alpha if the codec supports it.
 std::vector<Finding> examine_codecs() {
   std::vector<Finding> findings;
   std::set<const video::Codec*> examined{nullptr};
@@ -102,14 +103,15 @@ std::string figure_formats() {
   return "writes SVG, PDF and PNG";
 }
 
-/// Checks that a file can be created in the folder or, if it does not exist yet, at its location.
+/// Checks that a file can be created in the folder or, if that does not exist, in its nearest
+/// existing parent.
 std::string try_to_write_in(const std::string& folder) {
   const system::PendingFile trial(system::existing_folder(folder) / "trial");  // removed again
   return system::format_bytes(static_cast<double>(system::free_space(folder))) + " free";
 }
 
 struct Diagnosis {
-  std::vector<Finding> backends;  ///< one is sufficient
+  std::vector<Finding> backends;  ///< one of these is enough
   std::vector<Finding> encoder;   ///< all are required
   std::vector<Finding> disk;      ///< all are required
   std::vector<Finding> others;
@@ -135,7 +137,7 @@ Diagnosis diagnose() {
   diagnosis.backends = examine_backends();
   diagnosis.encoder.push_back(examine("ffmpeg", "videos", &ffmpeg_version));
   const std::vector<Finding> codecs = examine_codecs();
-  diagnosis.encoder.push_back(codecs.front());  // of MP4, the container unless another is chosen
+  diagnosis.encoder.push_back(codecs.front());  // that of MP4, the default container
   diagnosis.others.assign(codecs.begin() + 1, codecs.end());
   diagnosis.disk.push_back(examine("disk",
                                    "frames and videos in out/; -o and --frames-dir choose "
@@ -189,7 +191,7 @@ std::string as_json(const Diagnosis& diagnosis) {
 
 void add_doctor(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
-      "doctor", "Check what this machine provides and how to install what is missing");
+      "doctor", "Check this machine, and show how to install missing dependencies");
   command->footer(
       "Example: twrench doctor\nExit codes: 0 twrench render can run, 3 no OpenGL, 4 no "
       "ffmpeg, 5 the output\nfolder is not writable.");
@@ -197,10 +199,11 @@ void add_doctor(CLI::App& app, ExitCode& code) {
   command->add_option("--format", *format, "text or json")
       ->check(one_of("--format", {"text", "json"}))
       ->type_name("FORMAT")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
   command->callback([format, &code] {
     const Diagnosis diagnosis = diagnose();
-    write_output("-", *format == "json" ? as_json(diagnosis) : as_text(diagnosis));
+    system::write_output("-", *format == "json" ? as_json(diagnosis) : as_text(diagnosis));
     code = diagnosis.code();
   });
 }

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/options/video_options.h"
 #include "app/terminal/progress.h"
 #include "scene/limits.h"
@@ -73,11 +74,15 @@ void add_encode(CLI::App& app) {
       ->add_option("--width", options->width,
                    fmt::format("width of a {} in pixels", animated_images("or")))
       ->type_name("N")
-      ->default_str(fmt::format("that of the frames, but at most {}", video::widest_animation));
-  command->add_flag("--allow-missing", options->allow_missing,
-                    "encode the frames that exist even if some are missing");
-  command->add_flag("--overwrite", options->overwrite,
-                    "replace an existing video of something else");
+      ->default_str(fmt::format("that of the frames, but at most {}", video::widest_animation))
+      ->group(heading(OptionGroup::film));
+  command
+      ->add_flag("--allow-missing", options->allow_missing,
+                 "encode the frames that exist even if some are missing")
+      ->group(heading(OptionGroup::output));
+  command
+      ->add_flag("--overwrite", options->overwrite, "replace an existing video of something else")
+      ->group(heading(OptionGroup::output));
   add_progress_option(*command, options->progress);
   command->callback(
       [options] { Progress::tell_failure_of([&] { encode(*options); }, options->progress); });

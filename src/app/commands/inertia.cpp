@@ -1,19 +1,22 @@
 #include <fmt/format.h>
+#include <twrench/motion/exact.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/options/scene_options.h"
-#include "app/terminal/output.h"
 #include "base/enumeration.h"
 #include "scene/prediction.h"
 #include "system/file.h"
+#include "system/output.h"
 #include "text/escape.h"
 
 namespace twrench::app {
@@ -35,22 +38,56 @@ std::string matrix(const Eigen::Matrix3d& m) {
   return "  " + row(m.row(0)) + "  " + row(m.row(1)) + "  " + row(m.row(2));
 }
 
-/// A line for each principal axis, that of the least moment first.
-std::string predictions(const body::MassProperties& body) {
-  std::string lines;
-  for (int axis = 0; axis < 3; ++axis) {
+/// The effect of a tilt, with a line per principal axis in ascending order of the moments. Empty
+/// unless the body is rigid.
+std::string predictions(const body::MassProperties& body, bool is_rigid) {
+  if (!is_rigid) return {};
+  std::string lines = "a small tilt of its steady rotation\n";
+  for (const auto axis : body::PrincipalAxes::all) {
     lines += "  " + scene::prediction({body.moments, body.axes}, axis, 1) + "\n";
   }
   return lines;
 }
 
-/// What is printed of a body.
+/// The rotation about L in one period of a scene's motion.
+struct Turn {
+  Eigen::Vector3d omega;  ///< At t = 0, in body axes, rad/s.
+  motion::ExactMotion::Phase phase;
+};
+
+/// The body whose properties are printed.
 struct Described {
   std::string name;
   body::MassProperties body;
-  /// Its mesh, where it is one.
+  /// Its mesh, if it is one.
   std::optional<mesh::MeshFile> mesh = {};
+  /// For a scene whose motion is periodic in the body.
+  std::optional<Turn> turn = {};
+  bool is_rigid = true;
 };
+
+std::optional<Turn> turn_of(const scene::Scene& scene) {
+  if (!scene.motion.is_rigid()) return std::nullopt;
+  const auto phase = motion::ExactMotion(scene::free_body(scene)).phase();
+  if (!phase) return std::nullopt;
+  return Turn{scene.motion.omega, *phase};
+}
+
+std::string angle_line(const char* name, double angle) {
+  return fmt::format("  {:<18} {:.17g} rad, {:.6g} turns\n", name, angle,
+                     angle / (2 * std::numbers::pi));
+}
+
+std::string turn_lines(const Turn& turn) {
+  const auto& [omega, phase] = turn;
+  return fmt::format(
+             "rotation about L in one period of the momentum in the body, omega = ({:.6g}, {:.6g}, "
+             "{:.6g}) rad/s\n",
+             omega[0], omega[1], omega[2]) +
+         fmt::format("  {:<18} {:.17g} s\n", "period T", phase.period) +
+         angle_line("total", phase.total) + angle_line("dynamic, 2 E T/|L|", phase.dynamic) +
+         angle_line("geometric", phase.geometric());
+}
 
 std::string mesh_lines(const mesh::MeshFile& mesh) {
   return fmt::format(
@@ -62,7 +99,7 @@ std::string mesh_lines(const mesh::MeshFile& mesh) {
 }
 
 std::string text(const Described& described) {
-  const auto& [name, body, mesh] = described;
+  const auto& [name, body, mesh, turn, is_rigid] = described;
   const std::string mass =
       std::isnan(body.mass) ? "not given" : fmt::format("{:.17g} g", body.mass);
   return fmt::format(
@@ -73,10 +110,10 @@ std::string text(const Described& described) {
       "inertia about it, body axes, g cm^2\n{}"
       "principal moments, g cm^2\n  {}"
       "principal axes as columns, in body axes\n{}"
-      "a small tilt of its steady rotation\n{}",
+      "{}{}",
       mesh ? "mesh" : "scene", text::escape(name), mesh ? mesh_lines(*mesh) : "", mass,
       row(body.centre_of_mass), matrix(body.inertia), row(body.moments), matrix(body.axes),
-      predictions(body));
+      predictions(body, is_rigid), turn ? turn_lines(*turn) : "");
 }
 
 nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
@@ -85,10 +122,11 @@ nlohmann::ordered_json rows(const Eigen::Matrix3d& m) {
   return {numbers(m.row(0)), numbers(m.row(1)), numbers(m.row(2))};
 }
 
-/// Of a steady rotation at 1 rad/s about each principal axis, that of the least moment first.
+/// The stability of a steady rotation at 1 rad/s about each principal axis, in ascending order of
+/// the moments.
 nlohmann::ordered_json stability_json(const body::MassProperties& body) {
   auto list = nlohmann::ordered_json::array();
-  for (int axis = 0; axis < 3; ++axis) {
+  for (const auto axis : body::PrincipalAxes::all) {
     const motion::Stability stability = motion::stability(body.moments, axis, 1);
     nlohmann::ordered_json entry{{"axis", scene::axis_name(body.axes, axis)},
                                  {"kind", enumerator_name(stability.kind)},
@@ -103,15 +141,24 @@ nlohmann::ordered_json stability_json(const body::MassProperties& body) {
   return list;
 }
 
+nlohmann::ordered_json turn_json(const Turn& turn) {
+  return {{"omega", numbers(turn.omega)},
+          {"period", turn.phase.period},
+          {"total", turn.phase.total},
+          {"dynamic", turn.phase.dynamic},
+          {"geometric", turn.phase.geometric()}};
+}
+
 std::string json(const Described& described) {
-  const auto& [name, body, mesh] = described;
+  const auto& [name, body, mesh, turn, is_rigid] = described;
   nlohmann::ordered_json document{{"scene", name}};
   document["mass"] = body.mass;  // NaN, if only moments are given, becomes null
   document["centre_of_mass"] = numbers(body.centre_of_mass);
   document["inertia"] = rows(body.inertia);
   document["principal_moments"] = numbers(body.moments);
   document["principal_axes"] = rows(body.axes);
-  document["stability"] = stability_json(body);
+  if (is_rigid) document["stability"] = stability_json(body);
+  if (turn) document["phase"] = turn_json(*turn);
   if (mesh) {
     document["triangles"] = mesh->shape.surface->triangles.size();
     document["open_edges"] = mesh->open_edges;
@@ -121,38 +168,47 @@ std::string json(const Described& described) {
   return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// The mesh or the scene that is named.
+/// Reads the mesh or the scene that the user named.
 Described describe(const InertiaOptions& options) {
   const std::string& name = options.scene.sources().front();
   if (!mesh::is_mesh_name(name)) {
     options.scene.require_not_input(options.output);
     const scene::Scene scene = options.scene.scene();
-    return {scene.name, scene::mass_properties(scene.body)};
+    return {.name = scene.name,
+            .body = scene::mass_properties(scene.body),
+            .turn = turn_of(scene),
+            .is_rigid = scene.motion.is_rigid()};
   }
   system::require_not_input(options.output, name);
   options.scene.require_no_overrides(name);
   MeshBody mesh = options.scene.mesh_options().read(name);
   for (const auto& other : mesh.file.others) system::require_not_input(options.output, other);
-  return {std::filesystem::path(name).stem().string(), mesh.properties, std::move(mesh.file)};
+  return {.name = std::filesystem::path(name).stem().string(),
+          .body = mesh.properties,
+          .mesh = std::move(mesh.file)};
 }
 
 }  // namespace
 
 void add_inertia(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "inertia", "Print mass, centre of mass, inertia matrix, principal moments and axes");
+      "inertia",
+      "Print mass, centre of mass, inertia matrix, principal moments and axes, geometric phase");
   command->footer("Example: twrench inertia bracket.stl --unit mm --density 7.8");
   const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_option("--format", options->format, "output format: text or json")
       ->check(one_of("--format", {"text", "json"}))
       ->type_name("FORMAT")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
   command->add_option("-o,--output", options->output, "output file, or - for standard output")
       ->type_name("FILE")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
   command->callback([options] {
     const Described described = describe(*options);
-    write_output(options->output, options->format == "text" ? text(described) : json(described));
+    system::write_output(options->output,
+                         options->format == "text" ? text(described) : json(described));
   });
 }
 

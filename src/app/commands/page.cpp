@@ -1,35 +1,87 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "app/commands/commands.h"
+#include "app/options/option_group.h"
 #include "app/options/scene_options.h"
-#include "app/reports/page_html.h"
-#include "app/terminal/output.h"
+#include "app/reports/motion_summary.h"
+#include "app/reports/poster.h"
+#include "app/terminal/message.h"
+#include "page/page_html.h"
+#include "page/site_html.h"
 #include "system/file.h"
+#include "system/output.h"
 
 namespace twrench::app {
 namespace {
 
 struct PageOptions {
-  explicit PageOptions(CLI::App& command) : scene(command) {
-    scene.add_motion_options();
-    scene.add_look_options();
+  explicit PageOptions(CLI::App& command) : scenes(command) {
+    scenes.add_motion_options();
+    scenes.add_look_options();
   }
 
-  SceneOptions scene;
+  SceneOptions scenes;
   std::string output;
   std::string template_file;
+  bool all = false;
 };
 
+void require_not_input(const PageOptions& options, const std::filesystem::path& output) {
+  options.scenes.require_not_input(output);
+  if (!options.template_file.empty()) system::require_not_input(output, options.template_file);
+}
+
+/// The page of a scene with its picture.
+struct ScenePage {
+  std::string html, poster;
+};
+
+ScenePage page_of(const PageOptions& options, const std::string& empty, const scene::Scene& scene,
+                  std::size_t index) {
+  const page::PageScene shown{scene, options.scenes.original(index),
+                              options.scenes.sources().at(index),
+                              options.scenes.mesh_options().given()};
+  page::require_shown(scene);
+  std::string poster = poster_or_nothing(scene);
+  page::PageDocument page = page::page_html(empty, shown, poster);
+  for (const std::string& note : page.notes) say("twrench: {}\n", note);
+  return {std::move(page.html), std::move(poster)};
+}
+
 void write_page(const PageOptions& options) {
-  options.scene.require_not_input(options.output);
-  if (!options.template_file.empty()) {
-    system::require_not_input(options.output, options.template_file);
+  require_not_input(options, options.output);
+  const std::string empty = page::page_template(options.template_file);
+  system::write_output(options.output, page_of(options, empty, options.scenes.scene(), 0).html);
+}
+
+/// Writes the pages of all built-in scenes to a folder, and last their index.
+void write_site(PageOptions& options) {
+  if (options.output == "-") {
+    throw InvalidArgument("--all", "writes a folder, which standard output cannot be",
+                          "name the folder: -o site");
   }
-  const std::string empty = page_template(options.template_file);
-  const PageScene scene{options.scene.scene(), options.scene.original(),
-                        options.scene.sources().front(), options.scene.mesh_options().given()};
-  write_output(options.output, page_html(empty, scene, poster_html(scene.shown)));
+  options.scenes.use_builtin_scenes("--all");
+  const std::filesystem::path folder = options.output, index = folder / "index.html";
+  const auto file_of = [&](const scene::Scene& scene) { return folder / (scene.name + ".html"); };
+  const std::vector<scene::Scene> scenes = options.scenes.scenes();
+  require_not_input(options, index);
+  for (const scene::Scene& scene : scenes) {
+    require_not_input(options, file_of(scene));
+    page::require_shown(scene);
+  }
+  const std::string empty = page::page_template(options.template_file);
+  system::make_folder(folder);
+  std::vector<page::SiteEntry> entries;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const std::filesystem::path file = file_of(scenes[i]);
+    ScenePage page = page_of(options, empty, scenes[i], i);
+    system::write_file_atomically(file, page.html);
+    entries.push_back({file.filename().string(), scenes[i].shown_title(), motion_summary(scenes[i]),
+                       std::move(page.poster)});
+  }
+  system::write_file_atomically(index, page::site_html(entries));
 }
 
 }  // namespace
@@ -41,15 +93,23 @@ void add_page(CLI::App& app) {
                   "The page needs no network and no server: it can be mailed.\n"
                   "Example: twrench page dzhanibekov -o flip.html");
   const auto options = std::make_shared<PageOptions>(*command);
-  command->add_option("-o,--output", options->output, "output file, or - for standard output")
+  command
+      ->add_option("-o,--output", options->output,
+                   "output file, or - for standard output; with --all a folder")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::output));
+  command
+      ->add_flag("--all", options->all,
+                 "write the pages of all built-in scenes, and index.html with a picture of each")
+      ->group(heading(OptionGroup::output));
   command
       ->add_option("--template", options->template_file,
                    "the page without a scene, as scripts/page.sh builds it")
       ->type_name("FILE")
-      ->default_str("the one built in");
-  command->callback([options] { write_page(*options); });
+      ->default_str("the one built in")
+      ->group(heading(OptionGroup::output));
+  command->callback([options] { options->all ? write_site(*options) : write_page(*options); });
 }
 
 }  // namespace twrench::app

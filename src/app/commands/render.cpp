@@ -17,7 +17,7 @@
 namespace twrench::app {
 namespace {
 
-/// Records what remains on disk when a signal ends the run, and reports it to the user.
+/// Records the complete frames when a signal ends the run, and reports their number to the user.
 void end_whole(film::RenderJob& job, system::TerminationMessage& message) {
   message.error = "render: " + message.error;
   const std::optional<std::size_t> complete = job.record_frames();
@@ -65,6 +65,7 @@ void add_render(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("render", "Simulate, draw every frame, and write PNG frames and a video");
   command->footer(std::string(about_defaults) +
+                  "Captions, fades and a speed that changes: [[shot]] tables of the scene file.\n"
                   "Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4\n"
                   "Exit codes: 3 no OpenGL, 4 no ffmpeg, 130 or 143 interrupted.");
   const auto options = std::make_shared<RenderOptions>(*command);

@@ -3,9 +3,11 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/options/scene_options.h"
-#include "app/reports/trajectory_output.h"
+#include "interchange/samples.h"
 #include "scene/limits.h"
+#include "system/output.h"
 
 namespace twrench::app {
 namespace {
@@ -32,8 +34,9 @@ void simulate(const SimulateOptions& options) {
   const scene::Scene scene = options.scene.scene();
   const std::vector<double> times =
       options.times.empty() ? std::vector<double>() : times_asked_for(options);
-  Output output(options.output);
-  write_trajectory(output, scene, options.format, times);
+  system::Output output(options.output);
+  interchange::write_trajectory([&](std::string_view text) { output.write(text); }, scene,
+                                options.format, times);
   output.finish();
 }
 
@@ -47,7 +50,8 @@ void add_simulate(CLI::App& app) {
   const auto options = std::make_shared<SimulateOptions>(*command);
   command->add_option("--times", options->times, "sample at exactly these times, s")
       ->type_name("T1,T2,...")
-      ->default_str("every 1/fps");
+      ->default_str("every 1/fps")
+      ->group(heading(OptionGroup::motion));
   add_format_option(*command, options->format, {"csv", "json"});
   add_output_option(*command, options->output);
   command->callback([options] { simulate(*options); });

@@ -8,15 +8,17 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/options/scene_options.h"
 #include "app/reports/study_report.h"
 #include "app/terminal/message.h"
-#include "app/terminal/output.h"
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
+#include "scene/interior.h"
 #include "scene/limits.h"
 #include "study/ladder.h"
 #include "system/file.h"
+#include "system/output.h"
 #include "text/escape.h"
 
 namespace twrench::app {
@@ -114,7 +116,7 @@ ExitCode verdict(const study::Study& study, const std::vector<Bound>& bounds) {
       }
     }
     if (over == 0) continue;
-    code = ExitCode::answer_is_no;
+    code = ExitCode::negative;
     say("twrench: study: {} {} was exceeded in {} of the runs\n", bound.name, bound.most, over);
   }
   return code;
@@ -134,13 +136,14 @@ ExitCode run_study(const StudyOptions& options) {
   if (!options.plot.empty()) plot::require_gnuplot(options.plot);
   const std::vector<Bound> bounds = bounds_of(options);
   const scene::Scene scene = options.scene.scene();
+  scene::require_rigid(scene, "a study");
   const study::StudyPlan plan = plan_of(options, scene);
   if (!options.plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("--plot", "the exact method alone has no steps to plot");
   }
-  const motion::FreeBody body(scene::mass_properties(scene.body).inertia, scene.motion.omega);
+  const motion::FreeBody body = scene::free_body(scene);
   const study::Study result = study::run_study(body, plan);
-  Output output(options.output);  // write both it and the plot, or neither
+  system::Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result, scene));
   if (!options.plot.empty()) plot::draw_plot(options.plot, plot::study_plot(result));
   output.finish();
@@ -151,31 +154,38 @@ void add_options(CLI::App& command, StudyOptions& options) {
   options.scene.add_motion_options();
   command.add_option("--methods", options.methods, "methods to compare")
       ->type_name("A,B,...")
-      ->default_str("all, or the value of --method");
+      ->default_str("all, or the value of --method")
+      ->group(heading(OptionGroup::motion));
   command.add_option("--steps", options.steps, "step sizes, s")
       ->type_name("H1,H2,...")
-      ->default_str("successive halvings");
+      ->default_str("successive halvings")
+      ->group(heading(OptionGroup::motion));
   command.add_option("--tolerances", options.tolerances, "tolerances of the adaptive methods")
       ->type_name("T1,T2,...")
-      ->default_str("1e-4 to 1e-12");
+      ->default_str("1e-4 to 1e-12")
+      ->group(heading(OptionGroup::motion));
   command
       .add_option("--max-error", options.max_error,
                   "exit 1 if the error of X at the end of any run exceeds this")
-      ->type_name("E");
+      ->type_name("E")
+      ->group(heading(OptionGroup::bounds));
   command
       .add_option("--max-energy-drift", options.max_energy_drift,
                   "exit 1 if the relative energy drift of any run exceeds this")
-      ->type_name("E");
+      ->type_name("E")
+      ->group(heading(OptionGroup::bounds));
   command
       .add_option("--max-flip-error", options.max_flip_error,
                   "exit 1 if any run misses a flip, or its time by more than this, s")
-      ->type_name("S");
+      ->type_name("S")
+      ->group(heading(OptionGroup::bounds));
   add_format_option(command, options.format, {"text", "csv", "json"});
   add_output_option(command, options.output);
   command
       .add_option("--plot", options.plot,
                   "plot order, work-precision and energy drift: .svg, .pdf or .png")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::output));
 }
 
 }  // namespace

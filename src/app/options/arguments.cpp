@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/options/option_group.h"
 #include "base/nearest.h"
 
 namespace twrench::app {
@@ -66,6 +67,13 @@ Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
   throw InvalidArgument(what, fmt::format("'{}' is not three numbers separated by commas", text));
 }
 
+Eigen::Vector4d parse_quaternion(const std::string& text, const std::string& what) {
+  const std::vector<double> q = split_numbers(text, ',', what);
+  if (q.size() == 4) return {q[0], q[1], q[2], q[3]};
+  throw InvalidArgument(what, fmt::format("has {} numbers", q.size()),
+                        "give the four of a quaternion, the scalar first");
+}
+
 Eigen::Matrix3d parse_inertia(const std::string& text, const std::string& what) {
   std::vector<double> v = split_numbers(text, ',', what);
   if (v.size() == 3) v.resize(6);
@@ -122,13 +130,15 @@ void add_format_option(CLI::App& command, std::string& format,
                               fmt::join(formats.begin(), formats.end() - 1, ", "), formats.back()))
       ->check(one_of("--format", formats))
       ->type_name("FORMAT")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
 }
 
 void add_output_option(CLI::App& command, std::string& output) {
   command.add_option("-o,--output", output, "output file, or - for standard output")
       ->type_name("FILE")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
 }
 
 void add_progress_option(CLI::App& command, std::string& style) {
@@ -137,7 +147,8 @@ void add_progress_option(CLI::App& command, std::string& style) {
                   "progress: auto, bar, plain, json, openjd or none; auto = bar on a terminal")
       ->check(one_of("--progress", {"auto", "bar", "plain", "json", "openjd", "none"}))
       ->type_name("STYLE")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::run));
 }
 
 bool is_progress_json(const CLI::App& command) {

@@ -10,13 +10,13 @@
 namespace twrench::app {
 
 // Conversions of command-line arguments to values. Each throws InvalidArgument about `what`, the
-// option. Numbers use '.' whatever the locale; where no limit is given, the caller checks the
-// range.
+// option. Numbers use '.' in every locale. Functions without a limit leave the check of the range
+// to the caller.
 
-/// Splits "A,B,..." into its words.
+/// Splits "A,B,..." at the commas.
 std::vector<std::string> parse_words(const std::string& text);
 double parse_number(const std::string& text, const std::string& what);
-/// Parses a number, or an integer, and holds it against its limit.
+/// Parses a number, or an integer, and checks it against its limit.
 double parse_number(const std::string& text, const std::string& what,
                     const scene::limits::Limit& limit);
 int parse_whole(const std::string& text, const std::string& what,
@@ -25,6 +25,8 @@ int parse_whole(const std::string& text, const std::string& what,
 std::vector<double> parse_numbers(const std::string& text, const std::string& what);
 /// Parses "X,Y,Z".
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what);
+/// Parses "W,X,Y,Z", a quaternion.
+Eigen::Vector4d parse_quaternion(const std::string& text, const std::string& what);
 /// Parses "A,B,C", principal moments about the body's axes, or "Ixx,Iyy,Izz,Ixy,Ixz,Iyz", the
 /// entries of an inertia matrix in the order of MuJoCo's `fullinertia`, in g cm^2. Returns the
 /// matrix within the limits of scene files.
@@ -39,14 +41,14 @@ std::vector<std::string> given_options(const CLI::App& command,
                                        const std::vector<std::string>& names);
 
 /// Returns a check for CLI::Option that the value is one of `names`; it throws InvalidArgument if
-/// not. The names are its description, "{csv,json}", by which read_command() knows them.
+/// not. Its description lists the names, "{csv,json}", and read_command() reads them from it.
 CLI::Validator one_of(const std::string& what, std::vector<std::string> names);
 
-/// Adds the option --format for one of the `formats`, of which `format` is the default.
+/// Adds the option --format, which accepts one of `formats`; `format` is the default.
 void add_format_option(CLI::App& command, std::string& format,
                        const std::vector<std::string>& formats);
 
-/// Adds the option -o for a file, with `output` as its default, or - for standard output.
+/// Adds the option -o for a file, or - for standard output; `output` is the default.
 void add_output_option(CLI::App& command, std::string& output);
 
 /// Adds the option --progress for the style of Progress.

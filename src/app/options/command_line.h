@@ -1,7 +1,7 @@
 #pragma once
 
-// CLI11's own header takes seconds in each source that includes it, because it defines objects in
-// each: only sources that add or read options do so.
+// CLI11's own header defines objects, so each source that includes it takes seconds longer to
+// compile. Only sources that add or read options include it.
 namespace CLI {
 class App;
 class Option;

@@ -1,45 +1,47 @@
 #include "app/options/command_model.h"
 
-#include <twrench/motion/method.h>
-
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 
 #include "app/options/arguments.h"
+#include "app/options/scene_options.h"
 #include "base/enumeration.h"
 #include "cases/case.h"
+#include "scene/fields.h"
 #include "scene/languages.h"
-#include "scene/materials.h"
 #include "scene/scene.h"
 #include "video/codec.h"
 
 namespace twrench::app {
 namespace {
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const motion::Method& method : motion::methods()) names.emplace_back(method.name);
-  return names;
-}
-
 Candidates words(std::vector<std::string> all) { return {Candidates::Kind::words, std::move(all)}; }
 Candidates list(std::vector<std::string> all) { return {Candidates::Kind::list, std::move(all)}; }
 
-/// The candidates of the options whose values are neither free nor checked by one_of().
-std::map<std::string, Candidates> named_values() {
+/// The names that a field may have.
+std::vector<std::string> names_of(const std::string& key) {
+  return std::ranges::find(scene::fields(), key, &scene::Field::key)->form.names;
+}
+
+/// The candidates of the options that set a field.
+std::map<std::string, Candidates> values_of_fields() {
+  std::map<std::string, Candidates> values;
+  for (const scene::Field& field : scene::fields()) {
+    if (field.form.names.empty()) continue;
+    const bool are_several = field.form.kind == scene::ValueForm::Kind::texts;
+    values[option_of(field)] = are_several ? list(field.form.names) : words(field.form.names);
+  }
+  return values;
+}
+
+/// The candidates of the other options whose values are neither free nor checked by one_of().
+std::map<std::string, Candidates> other_values() {
   return {
-      {"--method", words(method_names())},
-      {"--methods", list(method_names())},
-      {"--compare", list(method_names())},
-      {"--theme", words(enumerator_names<scene::Theme>())},
+      {"--methods", list(names_of("method"))},
+      {"--hide", list(names_of("show"))},
       {"--language", words(scene::languages())},
-      {"--material", words(scene::material_names())},
       {"--shape", words(enumerator_names<scene::Equimomental>())},
-      {"--view", words(enumerator_names<scene::View>())},
-      {"--show", list(enumerator_names<scene::Feature>())},
-      {"--hide", list(enumerator_names<scene::Feature>())},
-      {"--background", words({"black", "gray", "white", "transparent"})},
-      {"--color", words({"black", "gray", "white"})},
       {"--container", words(video::format_texts(&video::OutputFormat::ending))},
       {"--egl-device", words({"software"})},
       {"SCENE",
@@ -60,7 +62,13 @@ std::map<std::string, Candidates> named_values() {
   };
 }
 
-/// The words that one_of() allows: CLI11 writes a value FORMAT that is checked "FORMAT:{csv,json}".
+std::map<std::string, Candidates> named_values() {
+  std::map<std::string, Candidates> values = values_of_fields();
+  values.merge(other_values());
+  return values;
+}
+
+/// The words that one_of() allows. CLI11 formats a checked value FORMAT as "FORMAT:{csv,json}".
 std::string checked_words(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t brace = type.find('{');
@@ -96,6 +104,7 @@ Option read_option(const CLI::App& command, const CLI::Option& option) {
     for (const std::string& name : option.get_lnames()) {
       result.names.push_back(without_default("--" + name));
     }
+    result.group = group_with(option.get_group(), result.names.back());
   }
   result.help = option.get_description();
   result.otherwise = option.get_default_str();

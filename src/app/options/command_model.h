@@ -1,13 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/options/command_line.h"
+#include "app/options/option_group.h"
 
 namespace twrench::app {
 
-/// What a shell can offer as the value of an option or argument.
+/// The completions that a shell offers for the value of an option or argument.
 struct Candidates {
   enum class Kind {
     none,    ///< Nothing.
@@ -19,7 +21,7 @@ struct Candidates {
   };
   Kind kind = Kind::none;
   std::vector<std::string> words = {};
-  /// The ends of the names of files, such as "toml".
+  /// File name extensions, such as "toml".
   std::vector<std::string> endings = {};
 };
 
@@ -27,15 +29,17 @@ struct Candidates {
 struct Option {
   /// "-o" and "--output"; the name of an argument.
   std::vector<std::string> names;
-  /// What stands for the value in help; empty for a flag and for an argument.
+  /// The placeholder for the value in help; empty for a flag and for an argument.
   std::string placeholder;
   std::string help;
   /// The default that applies, or empty.
   std::string otherwise;
   Candidates candidates;
+  /// Nothing for an argument.
+  std::optional<OptionGroup> group = {};
 };
 
-/// A command, as --help, the manual pages and the shell completions tell of it.
+/// A command, as described by --help, the manual pages and the shell completions.
 struct Command {
   std::string name;
   std::string description;
@@ -47,13 +51,14 @@ struct Command {
   std::string footer;
 };
 
-/// Returns a command; of the program itself, its own options.
+/// Returns a command or, for the program itself, its own options. Throws std::logic_error if an
+/// option names no group.
 Command read_command(const CLI::App& app);
 
 /// Returns the commands of the program, in the order of --help.
 std::vector<Command> read_commands(const CLI::App& app);
 
-/// Returns what stands for the value of an option in help and messages, such as "FILE".
+/// Returns the placeholder for the value of an option in help and messages, such as "FILE".
 std::string placeholder_of(const CLI::Option& option);
 
 }  // namespace twrench::app

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/terminal/message.h"
 #include "scene/limits.h"
 #include "scene/mesh_scene.h"
@@ -13,7 +14,7 @@
 namespace twrench::app {
 namespace {
 
-/// The remedy in options rather than in the keys of a scene file.
+/// The remedy in terms of options instead of the keys of a scene file.
 std::string remedy_in_options(const mesh::MeshError& error) {
   if (error.reason() == mesh::MeshError::Reason::no_scale) {
     return "add --unit mm, cm, m, inch or km, or --scale F for F cm";
@@ -23,7 +24,7 @@ std::string remedy_in_options(const mesh::MeshError& error) {
                       : "close it; or " + shell;
 }
 
-/// Calls `read`, with options as the remedies of its errors.
+/// Calls `read`; the remedies of its errors name options.
 auto with_remedies_in_options(const auto& read) try {
   return read();
 } catch (const mesh::MeshError& error) {
@@ -37,25 +38,31 @@ constexpr std::array mesh_option_names{"--unit", "--scale", "--density",
 
 MeshOptions::MeshOptions(CLI::App& command) : command_(command) {
   command.add_option("--unit", unit_, "of a mesh: the unit of its file: mm, cm, m, inch or km")
-      ->check(one_of("--unit", {"mm", "cm", "m", "inch", "km"}))
+      ->check(one_of("--unit", mesh::unit_names()))
       ->type_name("UNIT")
-      ->default_str("m for glTF");
+      ->default_str("m for glTF")
+      ->group(heading(OptionGroup::body));
   command.add_option("--scale", scale_, "of a mesh: the same as a number, cm per unit")
       ->type_name("F")
-      ->default_str("by --unit");
+      ->default_str("by --unit")
+      ->group(heading(OptionGroup::body));
   command.add_option("--density", density_, "of a mesh: its density, g/cm^3")
       ->type_name("D")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::body));
   command.add_option("--mass", mass_, "of a mesh: its mass, g")
       ->type_name("M")
-      ->default_str("by --density");
+      ->default_str("by --density")
+      ->group(heading(OptionGroup::body));
   command.add_option("--weld", weld_, "of a mesh: join vertices up to this far apart, cm")
       ->type_name("T")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(heading(OptionGroup::body));
   command
       .add_option("--shell", shell_, "of a mesh: a wall of this thickness along its surface, cm")
       ->type_name("T")
-      ->default_str("a solid");
+      ->default_str("a solid")
+      ->group(heading(OptionGroup::body));
 }
 
 void MeshOptions::require_none() const {

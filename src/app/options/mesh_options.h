@@ -17,20 +17,20 @@ struct MeshBody {
   body::MassProperties properties;
 };
 
-/// The options that say what a mesh file does not: its unit, its density, how it is closed. Must
-/// live as long as the command.
+/// The options for what a mesh file does not specify: its unit, its density, and how it is closed.
+/// Must live as long as the command.
 class MeshOptions {
  public:
   explicit MeshOptions(CLI::App& command);
 
-  /// Throws InvalidArgument where one of the options is given, as for a scene they mean nothing.
+  /// Throws InvalidArgument if one of the options is given; they have no meaning for a scene.
   void require_none() const;
 
   /// Returns the options that were given, as words of a command line.
   std::vector<std::string> given() const;
 
-  /// Reads the mesh. Warns on standard error of what was changed. Throws as read_mesh() does, with
-  /// these options as the remedies, and InvalidArgument about them.
+  /// Reads the mesh. Warns on standard error about repairs. Throws the errors of read_mesh(), with
+  /// remedies that name these options, and InvalidArgument about the options.
   MeshBody read(const std::string& file) const;
 
   /// Loads the scene of a mesh without warnings. Throws as read(), and as scene::mesh_scene().

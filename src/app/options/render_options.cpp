@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "scene/limits.h"
 #include "system/file.h"
 
@@ -25,12 +26,14 @@ void add_backend_options(CLI::App& command, gl::BackendChoice& choice) {
           "OpenGL backend: auto, osmesa or egl")
       ->check(one_of("--backend", gl::backend_names()))
       ->type_name("NAME")
-      ->default_str("auto");
+      ->default_str("auto")
+      ->group(heading(OptionGroup::run));
   command.add_option("--egl-device", choice.egl_device, "EGL device: its number, or software")
-      ->type_name("N");
+      ->type_name("N")
+      ->group(heading(OptionGroup::run));
 }
 
-/// Makes the film as small as an animated image should be, with the same aspect ratio.
+/// Reduces the film to the size of an animated image, with the same aspect ratio.
 void fit_animation(scene::Film& film) {
   if (film.width <= video::widest_animation) return;
   const double height = double(film.height) * video::widest_animation / film.width;
@@ -56,10 +59,12 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(comma
       ->default_str("DIR/NAME/ for -o DIR/NAME.mp4, out/SCENE/ without -o; none for " +
                     video::listed(video::format_texts(&video::OutputFormat::extension,
                                                       &video::OutputFormat::is_animated_image),
-                                  "and"));
+                                  "and"))
+      ->group(heading(OptionGroup::output));
   command
       .add_option("--frames", range, "draw only these frames: a-b or a-b:step, separated by commas")
-      ->type_name("RANGE");
+      ->type_name("RANGE")
+      ->group(heading(OptionGroup::film));
   command
       .add_option_function<std::string>(
           "--shard",
@@ -68,22 +73,29 @@ RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(comma
             no_video = true;
           },
           "draw part i of n of the frames into a folder shared by all n; no video (see encode)")
-      ->type_name("i/n");
-  command.add_flag("--no-video", no_video, "write PNG frames only");
-  command.add_flag("--no-frames", no_frames, "write the video only");
+      ->type_name("i/n")
+      ->group(heading(OptionGroup::film));
+  command.add_flag("--no-video", no_video, "write PNG frames only")
+      ->group(heading(OptionGroup::output));
+  command.add_flag("--no-frames", no_frames, "write the video only")
+      ->group(heading(OptionGroup::output));
   add_backend_options(command, backend);
   command.add_option("--jobs", jobs, "threads that compress frames")
       ->type_name("N")
-      ->default_str("half the processors, at most 8");
+      ->default_str("half the processors, at most 8")
+      ->group(heading(OptionGroup::run));
   add_progress_option(command, progress);
-  command.add_flag("--resume", resume,
-                   "keep existing frames that are intact and belong to this video");
-  command.add_flag("--overwrite", overwrite,
-                   "replace frames and videos of other scenes or settings");
+  command
+      .add_flag("--resume", resume, "keep existing frames that are intact and belong to this video")
+      ->group(heading(OptionGroup::output));
+  command
+      .add_flag("--overwrite", overwrite, "replace frames and videos of other scenes or settings")
+      ->group(heading(OptionGroup::output));
   command
       .add_flag("--timing{text}", timing,
                 "report how long each stage was busy; --timing=json for programs")
-      ->check(one_of("--timing", {"text", "json"}));
+      ->check(one_of("--timing", {"text", "json"}))
+      ->group(heading(OptionGroup::run));
 }
 
 void RenderOptions::require_consistent() const {
@@ -119,7 +131,7 @@ scene::Scene RenderOptions::scene_to_draw() const {
 }
 
 fs::path RenderOptions::default_frames_folder(const scene::Scene& of) const {
-  // Standard output and devices have no ending, and the name alone is that of the video then.
+  // Standard output and devices have no extension.
   const fs::path file = video.output, name = file.stem();
   const bool is_named = file.has_extension() && name != "." && name != "..";
   return is_named ? file.parent_path() / name : fs::path("out") / of.name;
@@ -127,7 +139,7 @@ fs::path RenderOptions::default_frames_folder(const scene::Scene& of) const {
 
 film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
   film::RenderSettings settings;
-  // Frames of the size of an animated image would be in the way of those of a video.
+  // Frames in the small size of an animated image would block a later render of a video.
   const bool wants_frames =
       no_video || !frames_dir.empty() || !video::is_animated_image(container());
   if (!no_frames && wants_frames)

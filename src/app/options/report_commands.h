@@ -9,11 +9,8 @@
 
 namespace twrench::app {
 
-/// Returns a file's name as an argument that does not look like an option.
-std::string argument_of(const std::string& name);
-
-/// Returns the command line of `twrench report` with the arguments that it was given and the
-/// option --static if `is_static`.
+/// Returns the command line of `twrench report` with the given arguments, and with --static if
+/// `is_static`.
 std::string report_command_line(const CLI::App& command, const SceneOptions& scenes,
                                 const std::string& output, bool is_static);
 
@@ -21,8 +18,5 @@ std::string report_command_line(const CLI::App& command, const SceneOptions& sce
 /// a mesh, the options of the mesh; `command` is that of the report, whose options apply to them.
 report::Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& source,
                              const CLI::App& command);
-
-/// Returns the command lines of the tasks that belong to no experiment.
-report::TaskCommands task_commands();
 
 }  // namespace twrench::app

@@ -6,11 +6,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "app/options/arguments.h"
+#include "app/options/option_group.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
 #include "scene/fields.h"
+#include "scene/interior.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
@@ -28,15 +31,17 @@ nlohmann::ordered_json array_of(const Vector& v) {
 }
 
 /// Converts the text of an option to the form of a field.
-nlohmann::ordered_json parse_value(scene::Field::Kind kind, const std::string& text,
+nlohmann::ordered_json parse_value(scene::ValueForm::Kind kind, const std::string& text,
                                    const std::string& option) {
-  using Kind = scene::Field::Kind;
+  using Kind = scene::ValueForm::Kind;
   switch (kind) {
     case Kind::number:
     case Kind::integer:
       return parse_number(text, option);
     case Kind::vector:
       return array_of(parse_vector(text, option));
+    case Kind::quaternion:
+      return array_of(parse_quaternion(text, option));
     case Kind::size:
       return array_of(parse_size(text, option));
     case Kind::text:
@@ -59,7 +64,15 @@ std::string default_text(const scene::Field& field) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return fmt::format("{}", value.get<double>());
   return fmt::format("{}", fmt::join(value.get<std::vector<double>>(),
-                                     field.kind == scene::Field::Kind::size ? "x" : ","));
+                                     field.form.kind == scene::ValueForm::Kind::size ? "x" : ","));
+}
+
+OptionGroup group_of(const scene::Field& field) {
+  static const std::map<std::string, OptionGroup> groups{
+      {"", OptionGroup::overlays},     {"motion", OptionGroup::motion},
+      {"film", OptionGroup::film},     {"look", OptionGroup::picture},
+      {"camera", OptionGroup::camera}, {"overlay", OptionGroup::overlays}};
+  return groups.at(field.table);
 }
 
 /// Whether a field changes the motion or when it is sampled, rather than only the picture.
@@ -73,11 +86,17 @@ void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inerti
   constexpr double round_off = 1e-12;
   const Eigen::Vector3d moments = body::principal_axes(inertia).moments;
   if (2.0 * moments[2] <= moments.sum() * (1.0 + round_off)) return;
-  warn(fmt::format("{}: moments {:.10g}, {:.10g} and {:.10g}: no real body has them; one exceeds "
+  warn(fmt::format("{}: moments {:.10g}, {:.10g} and {:.10g}: no real body has them: one exceeds "
                    "the sum of the "
                    "other two",
                    of, moments[0], moments[1], moments[2]),
        as_json);
+}
+
+std::string option_of(const scene::Field& field) {
+  std::string name = "--" + field.key;
+  std::ranges::replace(name, '_', '-');
+  return name;
 }
 
 std::string help_of(const scene::Field& field) {
@@ -94,32 +113,35 @@ SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::stri
       ->default_str(fmt::format("{}", fmt::join(names_, " ")));
 }
 
-CLI::Option* SceneOptions::add(const std::string& name, const std::string& value,
+CLI::Option* SceneOptions::add(OptionGroup group, const std::string& name, const std::string& value,
                                const std::string& help, Override apply) {
   const auto remember = [this, apply = std::move(apply)](const std::string& text) {
     overrides_.emplace_back([=](scene::Scene& scene) { apply(scene, text); });
   };
-  return command_.add_option_function<std::string>(name, remember, help)->type_name(value);
+  return command_.add_option_function<std::string>(name, remember, help)
+      ->type_name(value)
+      ->group(heading(group));
 }
 
 void SceneOptions::add_field(const scene::Field& field) {
-  std::string name = "--" + field.key;
-  std::ranges::replace(name, '_', '-');
-  add(name, field.placeholder, help_of(field),
+  const std::string name = option_of(field);
+  add(group_of(field), name, field.placeholder, help_of(field),
       [&field, name](scene::Scene& scene, const std::string& text) {
-        field.set(scene, parse_value(field.kind, text, name), name);
+        field.set(scene, parse_value(field.form.kind, text, name), name);
       })
       ->default_str(default_text(field));
 }
 
 void SceneOptions::add_flag(const std::string& name, const std::string& help,
                             std::function<void(scene::Scene&)> apply) {
-  command_.add_flag_callback(
-      name, [this, apply = std::move(apply)] { overrides_.push_back(apply); }, help);
+  command_
+      .add_flag_callback(
+          name, [this, apply = std::move(apply)] { overrides_.push_back(apply); }, help)
+      ->group(heading(OptionGroup::overlays));
 }
 
 void SceneOptions::add_inertia_option() {
-  add("--inertia", inertia_placeholder,
+  add(OptionGroup::body, "--inertia", inertia_placeholder,
       fmt::format("replace the body, its title and its times by {}, g cm^2", inertia_help),
       [](scene::Scene& scene, const std::string& text) {
         scene::Body body;
@@ -137,14 +159,15 @@ void SceneOptions::add_motion_options() {
 }
 
 void SceneOptions::add_shape_option() {
-  add("--shape", "NAME",
-      fmt::format("what a body is drawn as that is given by its inertia: {}",
+  add(OptionGroup::body, "--shape", "NAME",
+      fmt::format("solid to draw for a body given by its inertia: {}",
                   fmt::join(enumerator_names<scene::Equimomental>(), ", ")),
       [](scene::Scene& scene, const std::string& text) {
         const scene::Equimomental form = find_enumerator<scene::Equimomental>(text, "--shape");
         if (!scene.body.inertia) {
-          throw InvalidArgument("--shape", "the body has parts, which say what it looks like",
-                                "give its moments by --inertia, or leave --shape out");
+          throw InvalidArgument(
+              "--shape", "applies only to a body given by its inertia, and this body has parts",
+              "give its moments by --inertia, or leave --shape out");
         }
         scene.body.drawn_as = form;
       })
@@ -157,7 +180,8 @@ void SceneOptions::add_language_option() {
                   fmt::format("language of the captions and the title of a built-in story: {}",
                               fmt::join(scene::languages(), " or ")))
       ->type_name("CODE")
-      ->default_str("the scene's");
+      ->default_str("the scene's")
+      ->group(heading(OptionGroup::overlays));
 }
 
 void SceneOptions::add_look_options() {
@@ -179,14 +203,14 @@ void SceneOptions::add_picture_options() {
   // Declared in this order, so that --show adds to --bare.
   add_flag("--bare", "show only the body; --show adds to it",
            [](scene::Scene& scene) { scene.overlay.show.clear(); });
-  add("--show", "LIST",
+  add(OptionGroup::overlays, "--show", "LIST",
       fmt::format("show also: {}", fmt::join(enumerator_names<scene::Feature>(), ", ")),
       [](scene::Scene& scene, const std::string& text) {
         for (const std::string& word : parse_words(text)) {
           scene.overlay.show.insert(find_enumerator<scene::Feature>(word, "--show"));
         }
       });
-  add("--hide", "LIST", "hide items of the same list",
+  add(OptionGroup::overlays, "--hide", "LIST", "hide items of the same list",
       [](scene::Scene& scene, const std::string& text) {
         for (const std::string& word : parse_words(text)) {
           scene.overlay.show.erase(find_enumerator<scene::Feature>(word, "--hide"));
@@ -198,6 +222,14 @@ void SceneOptions::require_no_overrides(const std::string& name) const {
   if (overrides_.empty()) return;
   throw InvalidArgument(name, "only the values of a scene can be replaced",
                         "leave the options for those out");
+}
+
+void SceneOptions::use_builtin_scenes(const std::string& option) {
+  if (command_.count("SCENE") > 0) {
+    throw InvalidArgument(option, "takes all built-in scenes, and SCENE is given too",
+                          "leave one of them out");
+  }
+  names_ = scene::builtin_scene_names();
 }
 
 void SceneOptions::require_not_input(const std::filesystem::path& output) const {
@@ -214,6 +246,15 @@ scene::Scene SceneOptions::load(const std::string& name) const {
   return mesh::is_mesh_name(name) ? mesh_.scene(name) : scene::load_scene(name);
 }
 
+void SceneOptions::require_interior(const scene::Scene& scene) const {
+  scene::check_interior(scene, [&](const std::string& key) {
+    const auto field = std::ranges::find(scene::fields(), key, &scene::Field::key);
+    const std::string option = option_of(*field);
+    const CLI::Option* given = command_.get_option_no_throw(option);
+    return given != nullptr && given->count() > 0 ? option : scene.name + ": " + key;
+  });
+}
+
 const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
   if (!loaded_.empty()) return loaded_;
   if (std::ranges::none_of(names_, mesh::is_mesh_name)) mesh_.require_none();
@@ -225,8 +266,10 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
       override_value(scene);
       for (scene::Shot& shot : scene.shots) override_value(shot.scene);
     }
+    require_interior(scene);
+    for (const scene::Shot& shot : scene.shots) require_interior(shot.scene);
     scene::set_natural_times(scene);
-    // Only its motion tells one neutral title from another.
+    // Neutral titles are alike, so the scene's name tells them apart.
     const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();
     if (is_neutral && names_.size() > 1) scene.title += ": " + scene.name;
     all.push_back(std::move(loaded));
@@ -243,7 +286,9 @@ std::vector<std::string> SceneOptions::words(std::size_t index) const {
   return words;
 }
 
-const scene::Scene& SceneOptions::original() const { return load().front().original; }
+const scene::Scene& SceneOptions::original(std::size_t index) const {
+  return load().at(index).original;
+}
 
 void SceneOptions::require_drawable(const scene::Scene& scene) const {
   if (scene.shots.empty()) return;
@@ -258,7 +303,7 @@ std::vector<scene::Scene> SceneOptions::scenes() const {
   std::vector<scene::Scene> scenes;
   for (const Loaded& loaded : load()) scenes.push_back(loaded.overridden);
   const bool as_json = is_progress_json(command_);
-  // Several scenes with the body of --inertia are one body.
+  // All scenes have the body of --inertia, so one warning is enough.
   const CLI::Option* inertia = command_.get_option_no_throw("--inertia");
   const bool is_given = inertia != nullptr && inertia->count() > 0;
   if (is_given) warn_of_unreal_moments("--inertia", *scenes.front().body.inertia, as_json);

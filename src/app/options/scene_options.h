@@ -7,6 +7,7 @@
 
 #include "app/options/command_line.h"
 #include "app/options/mesh_options.h"
+#include "app/options/option_group.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
 #include "system/error.h"
@@ -28,24 +29,27 @@ inline constexpr const char* inertia_help =
 void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia,
                             bool as_json = false);
 
+/// Returns the name of the option that sets a field, such as "--trail-point".
+std::string option_of(const scene::Field& field);
+
 /// Returns the help of a field, which names the command that lists its values if there is one.
 std::string help_of(const scene::Field& field);
 
-/// The SCENE argument, one or several, what its file does not say if it is a mesh, and the options
-/// that override its values. Must live as long as the command.
+/// The SCENE argument (one or several), the options of a mesh, and the options that override values
+/// of the scene. Must live as long as the command.
 class SceneOptions {
  public:
   /// How many scenes the command accepts.
   enum class Count { one, several };
 
-  /// `without` are the scenes where none is given.
+  /// `without` are the scenes to use if none is given.
   explicit SceneOptions(CLI::App& command, Count count = Count::one,
                         std::vector<std::string> without = {"dzhanibekov"});
 
   /// Adds --omega, --inertia, --method, --step, --tolerance, --duration, --fps and --speed.
   void add_motion_options();
 
-  /// Adds the options for the shape, the colours and the material, the camera and the size of its
+  /// Adds the options for the shape, the colours and the material, the camera and the size of the
   /// picture.
   void add_look_options();
 
@@ -56,16 +60,19 @@ class SceneOptions {
   /// Adds only --inertia.
   void add_inertia_option();
 
+  /// Uses all built-in scenes. Throws InvalidArgument about `option` if SCENE is given.
+  void use_builtin_scenes(const std::string& option);
+
   /// Returns the scene with all overrides applied. Throws as load_scene() does, and
-  /// InvalidArgument. Warns on standard error about what was put right in a mesh, and about
-  /// moments that no real body has.
+  /// InvalidArgument. Warns on standard error about repairs to a mesh, and about moments that no
+  /// real body has.
   scene::Scene scene() const { return scenes().front(); }
 
   /// Returns the names or files of the scenes as they were given.
   const std::vector<std::string>& sources() const { return names_; }
 
-  /// Returns the scene without overrides. Throws as load_scene() does.
-  const scene::Scene& original() const;
+  /// Returns a scene without overrides. Throws as load_scene() does.
+  const scene::Scene& original(std::size_t index) const;
 
   /// Returns the name of a scene and, if it is a mesh, its options, as words of a command line.
   std::vector<std::string> words(std::size_t index) const;
@@ -73,18 +80,18 @@ class SceneOptions {
   /// Returns the options for SCENE as a mesh.
   const MeshOptions& mesh_options() const { return mesh_; }
 
-  /// Throws InvalidArgument where an option would override a value of `name`, which is no scene.
+  /// Throws InvalidArgument if an option would override a value of `name`, which is not a scene.
   void require_no_overrides(const std::string& name) const;
 
-  /// Throws OverwriteError where `output` is a scene file that was named, or a mesh or the font of
-  /// such a scene.
+  /// Throws OverwriteError if `output` is one of the given scene files, or a mesh or the font of
+  /// one.
   void require_not_input(const std::filesystem::path& output) const;
 
   /// Returns all scenes, each as scene() does.
   std::vector<scene::Scene> scenes() const;
 
-  /// Throws InvalidArgument where the scene has shots and an option is given that sets what each
-  /// shot determines for itself.
+  /// Throws InvalidArgument if the scene has shots and an option sets a value that each shot has
+  /// separately.
   void require_drawable(const scene::Scene& scene) const;
 
  private:
@@ -92,11 +99,11 @@ class SceneOptions {
 
   /// Adds an option whose text changes the scene. `apply` throws InvalidArgument about the option's
   /// name. Set the default_str of the result to the default shown in the help.
-  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
-                   Override apply);
+  CLI::Option* add(OptionGroup group, const std::string& name, const std::string& value,
+                   const std::string& help, Override apply);
   /// Adds the option that sets a field, named after its key.
   void add_field(const scene::Field& field);
-  /// Adds a flag that changes the scene.
+  /// Adds a flag that changes the overlays.
   void add_flag(const std::string& name, const std::string& help,
                 std::function<void(scene::Scene&)> apply);
 
@@ -104,7 +111,7 @@ class SceneOptions {
   void add_language_option();
   /// Adds --shape, the solid that is drawn for a body given by its inertia.
   void add_shape_option();
-  /// A scene as its file has it, and with the overrides.
+  /// A scene without and with the overrides.
   struct Loaded {
     scene::Scene original, overridden;
   };
@@ -112,6 +119,8 @@ class SceneOptions {
   /// Loads the scenes without warnings, and only once, because a pipe can be read only once.
   const std::vector<Loaded>& load() const;
   scene::Scene load(const std::string& name) const;
+  /// Throws InvalidArgument about an option or a key of the scene, as check_interior() does.
+  void require_interior(const scene::Scene& scene) const;
 
   CLI::App& command_;
   std::vector<std::string> names_;

@@ -54,8 +54,8 @@ InvalidArgument missing_command(const CLI::App& app) {
           fmt::format("one of: {}; see twrench --help", fmt::join(names, ", "))};
 }
 
-/// Finds the option that the message mentions: the longest name in it, as one may be a prefix of
-/// another.
+/// Finds the option that the message mentions: the longest matching name, because one name may be a
+/// prefix of another.
 const CLI::Option* option_in(const CLI::App& command, std::string_view text) {
   const CLI::Option* found = nullptr;
   for (const CLI::Option* option : all_options(command)) {

@@ -9,12 +9,12 @@
 
 namespace twrench::app {
 
-/// Returns the arguments as CLI11 takes them, the last first. "--name=" becomes "--name" and an
-/// empty word, because some CLI11 releases would take the next word as its value.
+/// Returns the arguments in the order that CLI11 expects, the last first. "--name=" becomes
+/// "--name" and an empty word, because some CLI11 releases would take the next word as its value.
 std::vector<std::string> words_for_parser(int argc, const char* const* argv);
 
-/// Makes an empty value, as a script passes it from an unset variable, a usage error. Call it when
-/// all options have been added. A title may be empty.
+/// Makes an empty value a usage error, because scripts pass one from an unset variable. A title may
+/// be empty. Call this after all options are added.
 void refuse_empty_values(CLI::App& app);
 
 /// Returns our error message for a command line that `app` could not parse, independently of the

@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/options/option_group.h"
+
 namespace twrench::app {
 namespace {
 
@@ -32,17 +34,22 @@ void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
                           fmt::join(format_texts(&OutputFormat::extension, is_animation), ", "),
                           listed(format_texts(&OutputFormat::extension, keeps_alpha), "and")))
           ->type_name("VIDEO")
-          ->default_str(standard);
+          ->default_str(standard)
+          ->group(heading(OptionGroup::output));
   if (standard.empty()) file->required();
   command
       .add_option("--container", container_name,
                   "container: " + listed(format_texts(&OutputFormat::ending), "or"))
       ->type_name("NAME")
-      ->default_str("from the file name; mp4 for -");
-  command.add_flag("--chapters", chapters,
-                   "make the flips chapters of the video, also in VIDEO's .chapters.vtt; on by "
-                   "default");
-  command.add_flag("--no-chapters", no_chapters, "make no chapters");
+      ->default_str("from the file name; mp4 for -")
+      ->group(heading(OptionGroup::film));
+  command
+      .add_flag("--chapters", chapters,
+                "make the flips chapters of the video, also in VIDEO's .chapters.vtt; on by "
+                "default")
+      ->group(heading(OptionGroup::film));
+  command.add_flag("--no-chapters", no_chapters, "make no chapters")
+      ->group(heading(OptionGroup::film));
 }
 
 video::Container VideoOptions::container(const std::filesystem::path& film) const {

@@ -18,8 +18,8 @@ struct VideoOptions {
   /// Returns the container given by name or by the file extension. Throws InvalidArgument.
   video::Container container(const std::filesystem::path& film) const;
 
-  /// Returns whether the flips become chapters. Throws InvalidArgument if they should in a
-  /// container that has none.
+  /// Returns whether the flips become chapters. Throws InvalidArgument if the user requests them in
+  /// a container that supports none.
   bool chapters_in(video::Container container) const;
 
   /// Throws InvalidArgument if the video should go to standard output but cannot: it is a terminal,

@@ -18,7 +18,7 @@ using cases::Case;
 using cases::Published;
 using cases::State;
 
-/// The unit after its number; not every source states one.
+/// The unit with a space before it; not every source states one.
 std::string unit_after(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 
 /// "500, 200, 300 kg m^2"

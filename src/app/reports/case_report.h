@@ -7,7 +7,7 @@
 
 namespace twrench::app {
 
-// The cases as a list, a line each, and a single case in full. Numbers of CSV and JSON, and exact
+// The list of cases, one line each, and a single case in full. Numbers in CSV and JSON, and exact
 // values everywhere, have 17 significant digits.
 
 std::string list_text(const std::vector<cases::Case>& problems);

@@ -40,7 +40,8 @@ std::string remedy_for_motion(motion::MotionError::Reason reason) {
     case motion::MotionError::Reason::too_many_steps:
       return "take a longer --step or a shorter --duration";
     case motion::MotionError::Reason::out_of_steps:
-      return "take a larger --tolerance, a shorter --duration or --method exact";
+      return "take a larger --tolerance or a shorter --duration, or --method exact for a rigid "
+             "body";
     case motion::MotionError::Reason::step_underflow:
       return "take a larger --tolerance, or a slower motion";
     case motion::MotionError::Reason::stopped:
@@ -56,7 +57,7 @@ std::string remedy_for_frames(const video::FramesError& error) {
     case video::FramesError::Reason::no_manifest:
       return "name the folder that twrench render wrote its frames to";
     case video::FramesError::Reason::contradictory:
-      return "render again with --overwrite what is not wanted, or remove its manifest";
+      return "render the affected frames again with --overwrite, or remove their manifest";
     case video::FramesError::Reason::missing:
       return "render them, by the same command with --resume or with --frames; or leave them out: "
              "--allow-missing";
@@ -111,7 +112,7 @@ bool is(const Error& error) {
   return as<Kind>(error) != nullptr;
 }
 
-/// For errors of a run that draws a film; empty for others.
+/// The remedy for an error of a run that draws a film; empty for other errors.
 std::string remedy_for_run(const Error& error) {
   if (const auto* frames = as<film::ForeignFramesError>(error)) {
     return frames->sharded()
@@ -138,13 +139,13 @@ ExitCode report(const Error& error) {
   return report(exit_code_of(error), error.what(), remedy_for(error));
 }
 
-/// Which resources the command could use less of.
+/// How the command could use less memory.
 std::string remedy_for_memory(bool draws) {
   if (draws) return "use a smaller --size, fewer --samples or fewer --jobs";
   return "close other programs, or raise the limit on memory (ulimit -v)";
 }
 
-/// The FileError for a system error that no code of ours expected.
+/// Converts a system error that none of our code expected.
 system::FileError refused(const std::system_error& error) {
   const int number = error.code().value();
   if (error.code() == std::errc::resource_unavailable_try_again) {

@@ -11,7 +11,7 @@ void write_message(const std::string& text) {
 
 void warn(const std::string& text, bool as_json) {
   if (as_json) {
-    const nlohmann::json line{{"warning", text}};  // In ASCII, whatever bytes the text has.
+    const nlohmann::json line{{"warning", text}};  // ASCII only
     return say("{}\n", line.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
   }
   say("twrench: warning: {}\n", text);

@@ -18,8 +18,8 @@
 namespace twrench::app {
 namespace {
 
-/// Opens closed standard streams in a way that still makes their use fail: otherwise a file could
-/// take their descriptor and receive their data.
+/// Opens closed standard streams in a way that still makes their use fail. Otherwise a file could
+/// be given their descriptor and receive their data.
 void fill_standard_streams() {
   for (const int descriptor : {0, 1, 2}) {
     if (::fcntl(descriptor, F_GETFD) >= 0) continue;
@@ -46,7 +46,7 @@ void write_lack_of_memory() {
       "  close other programs, or raise the limit on memory (ulimit -v)\n");
 }
 
-/// Writes the reason, if an exception could not reach main().
+/// Writes the reason if an exception could not reach main().
 void write_reason() {
   try {
     if (std::current_exception()) throw;
@@ -63,8 +63,8 @@ void write_reason() {
   }
 }
 
-/// Ends a program that crashes, most likely in the driver of OpenGL, with a message. Calls only
-/// what a handler may call.
+/// Prints a message when the program crashes, most likely in the OpenGL driver. Calls only
+/// async-signal-safe functions.
 void report_crash(int) {
   write_error(
       "twrench: error: internal: it crashed\n"
@@ -73,8 +73,8 @@ void report_crash(int) {
   ::_exit(static_cast<int>(ExitCode::internal));
 }
 
-/// Leaves handlers alone that a tool has installed, such as a sanitizer. A stack that overflows
-/// needs another one for the handler.
+/// Installs the crash handler, except where a tool such as a sanitizer has installed its own. The
+/// handler has a separate stack, because the crash may be a stack overflow.
 void handle_crashes() {
   static std::array<std::byte, 1 << 14> memory;
   stack_t stack{};
@@ -112,7 +112,7 @@ void prepare_process() {
 
 void end_at_once() noexcept {
   system::TerminationMessage unused;
-  system::take_termination_actions(unused);
+  system::run_termination_actions(unused);
   write_error("twrench: error: ");
   write_reason();
   ::_exit(static_cast<int>(ExitCode::internal));

@@ -3,8 +3,8 @@
 namespace twrench::app {
 
 /// Prepares the process so that all failures can be reported: opens missing standard streams,
-/// handles signals in order, and makes failed writes return errors instead of raising signals. Call
-/// it first.
+/// handles termination signals, and makes failed writes return errors instead of raising signals.
+/// Call it first.
 void prepare_process();
 
 /// Reports that memory ran out, or else that there is a bug, and ends the process with exit code 70

@@ -27,8 +27,8 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
-/// Writes complete lines at once. The caller of an Open Job Description task reads them; it may
-/// have gone, which is not an error. A line break within a value would forge a line, so values are
+/// Writes complete lines at once. The caller of an Open Job Description task reads them; if it has
+/// exited, that is not an error. A line break within a value would forge a line, so values are
 /// escaped.
 template <typename... T>
 void print_openjd(fmt::format_string<T...> format, const T&... values) {

@@ -7,8 +7,8 @@
 
 namespace twrench::app {
 
-/// User and system time in milliseconds. It is that of the process, including the shell that became
-/// this program, and the shell's earlier children; only differences are meaningful.
+/// User and system time in milliseconds. A shell may have become this program by exec, and then its
+/// time and that of its children are included, so only differences are meaningful.
 struct ProcessorTime {
   double own, children;  ///< `children` counts those that have ended.
 };

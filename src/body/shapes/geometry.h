@@ -13,8 +13,8 @@ inline double distance_from_axis(const Eigen::Vector3d& point) {
   return std::hypot(point.x(), point.y());
 }
 
-/// Returns a point at `radius` from the z axis, on the side of `direction`; along x if that is the
-/// axis.
+/// Returns a point at `radius` from the z axis, on the side of `direction`; on the x axis if
+/// `direction` is along z.
 inline Eigen::Vector3d beside_axis(double radius, const Eigen::Vector3d& direction) {
   const double length = distance_from_axis(direction);
   if (length == 0.0) return {radius, 0.0, 0.0};
@@ -22,8 +22,8 @@ inline Eigen::Vector3d beside_axis(double radius, const Eigen::Vector3d& directi
 }
 
 /// Returns the inertia matrix of a solid that is symmetric in its coordinate planes, from the mean
-/// squares of the coordinates about the centroid. The moment about an axis is the mass times the
-/// sum of the mean squares of the two other coordinates.
+/// squares `s` of the coordinates about the centroid. The moment about an axis is the mass times
+/// the sum of the mean squares of the other two coordinates.
 inline Eigen::Matrix3d inertia_of(double mass, const Eigen::Vector3d& s) {
   const Eigen::Vector3d moments =
       mass * Eigen::Vector3d{s.y() + s.z(), s.x() + s.z(), s.x() + s.y()};

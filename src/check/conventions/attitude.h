@@ -14,16 +14,17 @@ using Axes = std::array<int, 3>;
 /// "zyx" -> 2, 1, 0.
 Axes axes_of(const std::string& sequence);
 
-/// Where in yaw, pitch, roll the angle about each axis of the sequence stands. Of three different
-/// axes yaw is about z, pitch about y and roll about x; of others they are the first, second and
-/// third angle.
+/// Maps each axis of the sequence to the index of its angle in (yaw, pitch, roll). If the three
+/// axes are different, yaw is about z, pitch about y and roll about x; otherwise they are the
+/// first, second and third angle.
 std::array<std::size_t, 3> angle_places(const Axes& axes);
 
-/// Rotates by yaw, pitch and roll in rad, about the axes of the sequence as they are then. Returns
-/// the matrix that takes components in the last frame to those in the first.
+/// Rotates by yaw, pitch and roll in rad about the axes of the sequence, each as turned by the
+/// rotations before (intrinsic). Returns the matrix that takes components in the last frame to
+/// those in the first.
 Eigen::Matrix3d rotation_by_euler_angles(const Axes& axes, std::span<const double, 3> angles);
 
-/// The rotation matrix of w, x, y, z, whose length need not be 1 but must not be 0.
+/// The rotation matrix of the quaternion w, x, y, z. Its length need not be 1, but must not be 0.
 Eigen::Matrix3d rotation_by_quaternion(std::span<const double, 4> q);
 
 }  // namespace twrench::check

@@ -13,7 +13,7 @@
 namespace twrench::check {
 namespace {
 
-/// Takes the text up to the next `end` that is in no quotation marks, and that, too.
+/// Takes the text up to the next unquoted `end`, without its quotes, and skips that `end`.
 std::string take_until(std::string_view& text, char end) {
   std::string taken;
   bool quoted = false;
@@ -78,7 +78,7 @@ std::map<std::string, std::string> parse_columns(std::string_view text,
                             fmt::format("'{}' has no '='", left.substr(0, left.find(','))),
                             "write our name = the file's name: t=time,wx=p,wy=q,wz=r");
     }
-    const std::string ours = in_small_letters(left);
+    const std::string ours = to_lower(left);
     if (std::ranges::find(known, ours) == known.end()) throw unknown_name(quantity, left, known);
     text.remove_prefix(equals + 1);
     const std::string theirs = take_until(text, ',');
@@ -111,7 +111,7 @@ const std::vector<std::string>& all_sequences() {
 }
 
 std::string parse_sequence(std::string_view text, const std::string& quantity) {
-  std::string small = in_small_letters(text);
+  std::string small = to_lower(text);
   if (std::ranges::find(all_sequences(), small) != all_sequences().end()) return small;
   throw unknown_name(quantity, text, all_sequences());
 }

@@ -23,7 +23,7 @@ enum class TimeUnit { s, ms, us, ns, min, h };
 /// How a file writes the attitude.
 enum class AttitudeForm { none, matrix, quaternion, euler };
 
-/// How the columns of a file are meant.
+/// How to interpret the columns of a file.
 struct Convention {
   /// Our name ("t", "wx", "x11", "qw", "yaw") -> the column's name in the file, or "#3" for the
   /// third.
@@ -34,26 +34,27 @@ struct Convention {
   std::optional<RateUnit> rate_unit;
   /// The unit of Euler angles. If absent, it is that of the rates, or radians.
   std::optional<Angle> angle_unit;
-  /// Of Euler angles: the axes in the order of the rotations, each about the axes as they are then
-  /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty
-  /// where there are none.
+  /// The axes of Euler angles in the order of the rotations, each as turned by the rotations before
+  /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty if
+  /// there are no Euler angles.
   std::string sequence;
   bool inverse = false;         ///< the attitude is body_from_space
   bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
   /// The body's axes along which the file's axes point.
   BodyAxes axes;
-  /// What the attitude is that of: a part whose axes this takes to the file's axes of the body.
+  /// If present, the attitude is that of a part; this rotation takes the part's axes to the file's
+  /// axes of the body.
   std::optional<Eigen::Quaterniond> offset;
 };
 
-/// In which they are read.
+/// The given units, or the defaults.
 TimeUnit time_unit(const Convention& convention);
 RateUnit rate_unit(const Convention& convention);
 Angle angle_unit(const Convention& convention);
 
-/// Reads "t=time,wx=p,wy=q" into Convention::columns. Names of the file with a comma, '=' or spaces
-/// at their ends stand in double quotes ("" for a quote in them): wx="rate, x". Throws
-/// InvalidArgument about `quantity` for a name on the left that is none of ours or is there twice.
+/// Reads "t=time,wx=p,wy=q" into Convention::columns. Names of the file that contain a comma or
+/// '=', or begin or end with spaces, are quoted ("" for a quote in them): wx="rate, x". Throws
+/// InvalidArgument about `quantity` if a name on the left is not one of ours or occurs twice.
 std::map<std::string, std::string> parse_columns(std::string_view text,
                                                  const std::string& quantity);
 
@@ -63,8 +64,8 @@ std::string format_columns(const std::map<std::string, std::string>& columns);
 /// The sequences of Euler angles: the six that turn about three different axes, then the others.
 const std::vector<std::string>& all_sequences();
 
-/// Returns the sequence in small letters. Throws InvalidArgument about `quantity` unless it is one
-/// of the twelve.
+/// Returns the sequence in lower case. Throws InvalidArgument about `quantity` unless it is one of
+/// the twelve.
 std::string parse_sequence(std::string_view text, const std::string& quantity);
 
 /// The form whose columns the convention has.

@@ -13,7 +13,7 @@ namespace {
 struct KindRow {
   Kind kind;
   const char* description;
-  std::array<const char*, 9> names;  ///< those behind the last are null
+  std::array<const char*, 9> names;  ///< null after the last
 };
 
 constexpr std::array kind_rows{

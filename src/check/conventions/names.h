@@ -6,7 +6,7 @@
 
 namespace twrench::check {
 
-/// What columns tell together.
+/// The quantities that columns can give together.
 enum class Kind { time, rates, matrix, quaternion, euler };
 
 /// Our names of the columns of a kind, in their order: "wx", "wy", "wz"; "x11", "x12" ... "x33";

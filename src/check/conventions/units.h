@@ -10,17 +10,17 @@
 
 namespace twrench::check {
 
-/// How options and people name a unit of rates, and how large it is.
+/// A unit of rates: its names in options and texts, and its size.
 struct RateUnitName {
   RateUnit unit;
   const char* option;  ///< "deg"
   const char* symbol;  ///< "deg/s"
-  double in_rad_s;     ///< how many rad/s one of it has
+  double in_rad_s;     ///< its size
 };
 std::span<const RateUnitName> rate_units();
 const RateUnitName& name_of(RateUnit unit);
 
-/// The same of angles.
+/// The same for angles.
 struct AngleName {
   Angle unit;
   const char* option;  ///< "deg"
@@ -29,7 +29,7 @@ struct AngleName {
 std::span<const AngleName> angle_units();
 const AngleName& name_of(Angle unit);
 
-/// The same of times.
+/// The same for times.
 struct TimeUnitName {
   TimeUnit unit;
   const char* option;  ///< "ms"
@@ -38,8 +38,8 @@ struct TimeUnitName {
 std::span<const TimeUnitName> time_units();
 const TimeUnitName& name_of(TimeUnit unit);
 
-/// The unit of angles that a rate has in each second; nothing for revolutions, in which nobody
-/// writes Euler angles.
+/// The unit of angles of a rate: degrees for deg/s. Nothing for revolutions, which are not used for
+/// Euler angles.
 std::optional<Angle> angle_of(RateUnit unit);
 
 }  // namespace twrench::check

@@ -26,7 +26,7 @@ std::vector<Row> changed(std::span<const Row> rows, const Change& change) {
   return result;
 }
 
-bool are_alike(const Matrix3d& inertia, const BodyAxes& a, const BodyAxes& b) {
+bool are_equivalent(const Matrix3d& inertia, const BodyAxes& a, const BodyAxes& b) {
   const Matrix3d S = b.matrix().transpose() * a.matrix();
   constexpr double least = 1e-12;
   return S.determinant() > 0 &&
@@ -37,7 +37,7 @@ std::vector<BodyAxes> distinct_axes(const Matrix3d& inertia, const BodyAxes& fir
   std::vector<BodyAxes> distinct{first};
   for (const BodyAxes& axes : all_body_axes()) {
     const bool is_new = std::ranges::none_of(
-        distinct, [&](const BodyAxes& other) { return are_alike(inertia, axes, other); });
+        distinct, [&](const BodyAxes& other) { return are_equivalent(inertia, axes, other); });
     if (is_new) distinct.push_back(axes);
   }
   return distinct;

@@ -11,7 +11,7 @@
 #include "check/conventions/units.h"
 #include "check/hypotheses/changed_rows.h"
 #include "check/hypotheses/other_conventions.h"
-#include "check/reading/telling_rows.h"
+#include "check/reading/informative_rows.h"
 #include "check/verdict/fit.h"
 #include "table/error.h"
 
@@ -21,18 +21,18 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Pairs of rows for each interval where many readings are tried.
+/// Pairs of rows for each interval when many readings are tried.
 constexpr std::size_t few = 8;
-/// A reading that misses more than this part of the changes is none.
+/// A reading with a larger misfit does not fit.
 constexpr double follows = 0.2;
 
 /// A factor of the rates. The physics depends only on the products of rates and times.
 struct Scale {
   double factor;
-  std::vector<Units> units;  ///< that have this factor, those as read first
+  std::vector<Units> units;  ///< with this factor; those as read come first
 };
 
-/// The rows in a way of reading the attitude, with rates as they stand, and in no other axes.
+/// The rows in one reading of the attitude, with unchanged rates and axes.
 struct Variant {
   Convention convention;
   std::vector<Row> rows;
@@ -65,7 +65,7 @@ struct Tried {
 /// Tries the readings of one file.
 class Search {
  public:
-  Search(TellingNumbers numbers, const Problem& problem, const Convention& convention)
+  Search(RowSample numbers, const Problem& problem, const Convention& convention)
       : numbers_(std::move(numbers)),
         problem_(problem),
         convention_(convention),
@@ -127,7 +127,8 @@ class Search {
     }
   }
 
-  /// Attitudes alone are those of faster or slower motions, too, and tell no unit of the times.
+  /// Attitudes alone also fit faster or slower motions, so they do not determine the unit of the
+  /// times.
   void try_attitude_alone() {
     for (const Variant& variant : variants_) {
       for (const Scale& scale : scales_) {
@@ -166,7 +167,8 @@ class Search {
     }
   }
 
-  /// Where the angular velocity is given, that of the rows must be about as large in their units.
+  /// If the angular velocity is given, that of the rows must have about the same magnitude in these
+  /// units.
   bool agrees_with_omega(const Variant& variant, const Units& units) const {
     const std::vector<Row>& rows = variant.rows;
     if (!problem_.omega || rows.size() < 2) return true;
@@ -175,17 +177,17 @@ class Search {
     const double found =
         has_rates_ ? faster * rows[0].omega.norm()
                    : omega_between(problem_.inertia, rows[0], rows[1]).norm() / seconds(units.time);
-    // Between them the rates can change as much as the moments differ.
+    // Between the two times, the rates can change by as much as the moments differ.
     constexpr double about = 7;
     return found <= about * given && given <= about * found;
   }
 
-  /// How many units of the times as read the unit has.
+  /// The size of `unit` in the unit of the times as read.
   double seconds(TimeUnit unit) const {
     return name_of(unit).in_s / name_of(time_unit(convention_)).in_s;
   }
 
-  /// Where the angular velocity is given, it tells axes apart that the motion does not.
+  /// If the angular velocity is given, it distinguishes axes that the motion does not.
   void turn_to_omega(Tried& tried) const {
     if (!problem_.omega || tried.rows.size() < 2) return;
     const double unit = seconds(time_unit(tried.reading.convention));
@@ -200,7 +202,7 @@ class Search {
     constexpr double about = 0.05;
     double least = std::min((found - given).norm(), about * given.norm());
     for (const BodyAxes& other : all_body_axes()) {
-      if (!are_alike(problem_.inertia, axes, other)) continue;
+      if (!are_equivalent(problem_.inertia, axes, other)) continue;
       const Matrix3d S = other.matrix().transpose() * axes.matrix();
       constexpr double clearly = 0.99;
       if ((S * found - given).norm() >= clearly * least) continue;
@@ -237,13 +239,13 @@ class Search {
     std::erase_if(found_, [&](const Tried& tried) { return worst(tried) >= most; });
     for (Tried& tried : found_) turn_to_omega(tried);
     const int fewest = changes(*std::ranges::min_element(found_, {}, changes));
-    // As it is read, it fits no worse.
+    // The convention as read fits no worse.
     if (fewest == 0) return {};
     std::erase_if(found_, [&](const Tried& tried) { return changes(tried) > fewest; });
     return {distinct(), {}, {}};
   }
 
-  /// One of those that give the same motion, though their times may have other units.
+  /// One reading for each motion and each unit of times.
   std::vector<Reading> distinct() const {
     std::vector<Tried> kept;
     for (const Tried& tried : found_) {
@@ -258,14 +260,14 @@ class Search {
     return readings;
   }
 
-  TellingNumbers numbers_;
+  RowSample numbers_;
   const Problem& problem_;
   Convention convention_;
   bool has_rates_, has_attitude_;
   std::vector<BodyAxes> axes_;
   std::vector<Scale> scales_;
   std::vector<Variant> variants_;
-  std::vector<std::pair<const Scale*, BodyAxes>> following_;  ///< in which rates follow the motion
+  std::vector<std::pair<const Scale*, BodyAxes>> following_;  ///< with which the rates follow
   std::vector<Tried> found_;
   double nearest_ = std::numeric_limits<double>::infinity();
 };
@@ -274,7 +276,7 @@ class Search {
 
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention) {
-  return Search(telling_numbers(file, convention), problem, convention).run();
+  return Search(read_row_sample(file, convention), problem, convention).run();
 }
 
 namespace {
@@ -284,7 +286,7 @@ std::optional<Matrix3d> other_inertia(const std::filesystem::path& file, const M
                                       const Judgement& judgement) {
   // Rates that never change would be those of a sphere.
   if (!judgement.has_rates || judgement.misfit.constant_rates) return std::nullopt;
-  const std::vector<Row> rows = telling_rows(file, judgement.convention);
+  const std::vector<Row> rows = informative_rows(file, judgement.convention);
   if (rows.size() < 16 || rows.front().omega.norm() == 0) return std::nullopt;
   const Matrix3d fitted = fitted_inertia(inertia, rows, judgement.has_attitude);
   if (!fitted.allFinite()) return std::nullopt;

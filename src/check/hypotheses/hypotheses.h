@@ -12,27 +12,27 @@ namespace twrench::check {
 
 /// Other readings of a file that does not follow the motion as it is read.
 struct Alternatives {
-  /// The readings with the fewest changes that fit, which the data cannot tell apart.
+  /// The readings with the fewest changes that fit. The data cannot distinguish them.
   std::vector<Reading> fitting;
   /// The reading with the least misfit, if none fits.
   std::optional<Reading> nearest;
-  /// Where none fits, but the motion is that of a body with the same principal axes and other
-  /// moments: its inertia, of which only the ratios are determined.
+  /// If none fits, but the motion is that of a body with the same principal axes and other moments:
+  /// the inertia of that body. Only its ratios are determined.
   std::optional<Eigen::Matrix3d> inertia;
 };
 
-/// Tests how the first rows of a file follow the motion of the body if it is read in other ways
-/// than `convention`: in other units of times, rates and angles, unless its columns state them; as
-/// the inverse attitude; with rates in the other axes; with another order of the quaternion's
-/// components or of the rotations of Euler angles; in other axes of the body, left-handed ones
-/// included; with the attitude of a part that is fixed to the body. Each alone and together. Throws
-/// as RowReader does.
+/// Tests how well the first rows of a file follow the motion of the body if they are read
+/// differently from `convention`: in other units of times, rates and angles, unless the columns
+/// state them; as the inverse attitude; with rates in the other axes; with another order of the
+/// quaternion's components or of the rotations of Euler angles; in other axes of the body,
+/// left-handed ones included; with the attitude of a part that is fixed to the body. Tries each
+/// change alone and with the others. Throws as RowReader does.
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention);
 
-/// The same for a file that was judged, where it does not follow the motion. Where it follows it
-/// roughly, because of errors or because the moments are nearly the same, other readings must fit
-/// far better.
+/// Does the same for a judged file that does not follow the motion. If it follows it roughly,
+/// because of errors or because the moments are nearly the same, other readings must fit far
+/// better.
 Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
                              const Judgement& judgement);
 

@@ -10,7 +10,7 @@
 namespace twrench::check {
 namespace {
 
-/// Adds to the list each of its conventions once more, changed.
+/// Adds a changed copy of each convention in the list.
 template <typename Change>
 void also(std::vector<Convention>& list, const Change& change) {
   const std::size_t count = list.size();
@@ -21,7 +21,7 @@ void also(std::vector<Convention>& list, const Change& change) {
   }
 }
 
-/// The columns of (w, x, y, z) taken for those of (x, y, z, w).
+/// Reads the columns of (w, x, y, z) as (x, y, z, w).
 void scalar_first_to_last(Convention& convention) {
   auto& columns = convention.columns;
   const std::string first = columns["qw"];

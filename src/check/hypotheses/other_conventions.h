@@ -7,9 +7,9 @@
 
 namespace twrench::check {
 
-/// The ways in which the columns of an attitude can be read: as they are first, then with another
-/// order of the quaternion's components or of the rotations of Euler angles, in the other unit of
-/// Euler angles unless the columns state theirs, and as the inverse, each alone and together.
+/// The ways to read the columns of an attitude: first as `convention` says, then with another order
+/// of the quaternion's components or of the rotations of Euler angles, in the other unit of Euler
+/// angles unless the columns state theirs, and as the inverse, each alone and together.
 std::vector<Convention> attitude_readings(const table::Header& header,
                                           const Convention& convention);
 
@@ -19,11 +19,11 @@ struct Units {
   RateUnit rate;
 };
 
-/// The units in which times and rates may be that do not state theirs, those of the convention
-/// first.
+/// The units that times and rates may have if their columns state none; those of the convention
+/// come first.
 std::vector<Units> unit_readings(const table::Header& header, const Convention& convention);
 
-/// In how many aspects the conventions differ.
+/// The number of aspects in which the conventions differ.
 int count_changes(const Convention& before, const Convention& after);
 
 }  // namespace twrench::check

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "check/reading/telling_rows.h"
+#include "check/reading/informative_rows.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -14,7 +14,7 @@ std::vector<Reading> readings(const std::filesystem::path& file, const Eigen::Ma
   for (const Convention& convention : conventions) {
     try {
       const bool has_attitude = attitude_form(convention) != AttitudeForm::none;
-      all.push_back({convention, misfit(inertia, telling_rows(file, convention),
+      all.push_back({convention, misfit(inertia, informative_rows(file, convention),
                                         has_rates(convention), has_attitude)});
     } catch (const table::BadTable&) {
       const double infinite = std::numeric_limits<double>::infinity();

@@ -16,12 +16,12 @@ struct Reading {
   Misfit misfit;
 };
 
-/// Judges each convention by the first rows of the file. Throws as RowReader does, except that rows
-/// which a convention does not allow are a reading that fits nothing.
+/// Judges each convention by the first rows of the file. Throws as RowReader does, except that a
+/// convention that does not allow the rows gets an infinite misfit.
 std::vector<Reading> readings(const std::filesystem::path& file, const Eigen::Matrix3d& inertia,
                               std::span<const Convention> conventions);
 
-/// Returns the only reading that fits, where each other one fits far worse; else nothing.
+/// Returns the reading that fits if all others fit far worse; otherwise nothing.
 std::optional<Reading> only_fitting(std::vector<Reading> readings);
 
 }  // namespace twrench::check

@@ -7,11 +7,11 @@
 
 namespace twrench::check {
 
-/// The columns that are wanted do not fit those that the file has: one is missing, given twice, or
-/// left open. The remedy lists the file's columns.
+/// The requested columns do not match those of the file: one is missing, given twice, or ambiguous.
+/// The remedy usually lists the file's columns.
 class ColumnError : public table::BadTable {
  public:
-  /// `column` is ours ("wz"), or empty where it is no single one.
+  /// `column` is our name of the column ("wz"), or empty if the error is not about a single one.
   ColumnError(const std::string& file, std::string column, const std::string& why,
               const std::string& remedy)
       : BadTable(file, why, remedy), column_(std::move(column)) {}

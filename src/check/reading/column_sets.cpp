@@ -30,7 +30,7 @@ std::size_t present(const Group& group) {
 
 bool is_complete(const Group& group) { return present(group) == group.columns.size(); }
 
-/// Throws where two columns could be one component.
+/// Throws if two columns could be the same component.
 std::vector<std::size_t> require_single(const table::Header& header, Kind kind,
                                         const Group& group) {
   std::vector<std::size_t> columns;
@@ -55,7 +55,7 @@ Group find_ours(const table::Header& header, Kind kind) {
   for (const std::string& name : names_of(kind)) {
     std::vector<std::size_t>& of_one = group.columns.emplace_back();
     for (std::size_t column = 0; column < header.names.size(); ++column) {
-      if (in_small_letters(header.names[column]) == name) of_one.push_back(column);
+      if (to_lower(header.names[column]) == name) of_one.push_back(column);
     }
   }
   return group;
@@ -75,14 +75,14 @@ std::map<std::string, Group> find_groups(const table::Header& header, Kind kind)
   return groups;
 }
 
-/// Throws where most of a group is there and the rest is missing: what is wanted was written
-/// otherwise, or forgotten.
+/// Throws if most of a group is present and the rest is missing: it was probably forgotten, or its
+/// names are written differently.
 void require_no_rest(const table::Header& header, Kind kind,
                      const std::map<std::string, Group>& groups) {
   const std::size_t all = names_of(kind).size();
   const std::size_t most = all == 9 ? 6 : all - 1;
   for (const auto& [name, group] : groups) {
-    // Letters and numbers that stand for something else as often are no evidence.
+    // Single letters and numbers often mean something else, so they are no evidence.
     const bool is_evidence = !group.is_open && !name.starts_with("pqr") && !name.starts_with("0") &&
                              !name.starts_with("1") && !name.starts_with("one");
     if (all == 1 || !is_evidence || present(group) < most) continue;

@@ -8,23 +8,23 @@
 
 namespace twrench::check {
 
-/// The columns of a file that tell something together.
+/// The columns of a file that together give one quantity, such as the rates.
 struct ColumnSet {
   Kind kind;
   std::vector<std::size_t> columns;  ///< in the order of names_of(kind)
-  bool in_space = false;             ///< the names say that the rates are in space axes
+  bool in_space = false;             ///< whether the names place the rates in space axes
 };
 
-/// Finds the columns of a kind by their names: all the sets that the names leave open. Our own
-/// names come before any others. Throws ColumnError where only some of a set are there, or two
-/// could be the same one.
+/// Finds the columns of a kind by their names, and returns every set that the names allow. Our own
+/// names take precedence over all others. Throws ColumnError if a set is incomplete, or if two
+/// columns could be the same component.
 std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind);
 
-/// The sets that columns of a kind can be whose order their names do not tell: a quaternion has its
-/// scalar first or last, a matrix its entries by rows or by columns.
+/// Returns the sets that these columns may form if their names leave the order open: a quaternion
+/// has its scalar first or last, a matrix its entries by rows or by columns.
 std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns);
 
-/// "the file has: time, p, q, r", or the first names of many.
+/// Lists the file's columns for a remedy: "its columns are: time, p, q, r", or the first of many.
 std::string columns_remedy(const table::Header& header);
 
 }  // namespace twrench::check

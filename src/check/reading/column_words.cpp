@@ -34,7 +34,7 @@ Words without(const Words& words, std::size_t first, std::size_t count = 1) {
   return rest;
 }
 
-/// Words for the components of a set, in their order; several for one, where all may stand in it.
+/// The words for the components of a set, in order. A component may have several words.
 struct Alphabet {
   std::string_view name;
   std::vector<std::vector<std::string_view>> components;
@@ -47,14 +47,15 @@ std::optional<std::size_t> component_of(const Alphabet& alphabet, std::string_vi
   return std::nullopt;
 }
 
-/// All words count, but for the component's: p in deg/s and p in rad/s are of two groups.
+/// A group consists of all words except the component's: p in deg/s and p in rad/s are in different
+/// groups.
 std::string group_of(const Alphabet& alphabet, const Words& words, const std::string& component) {
   const auto at = std::ranges::find(words, component) - words.begin();
   const Words others = without(words, static_cast<std::size_t>(at));
   return fmt::format("{}:{}", alphabet.name, fmt::join(others, " "));
 }
 
-/// Whether the words, without that of the axis, are those of an angular velocity.
+/// Whether the words other than the axis are those of an angular velocity.
 bool are_of_rates(const Words& words) {
   const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates"};
   const List about{"ang", "angular", "rotation", "rotational"};
@@ -66,7 +67,7 @@ bool are_of_rates(const Words& words) {
                           is_in(frames, word) || is_in(others, word);
     if (!is_known) return false;
   }
-  // "omega_inertial_x" may be in axes of inertial space, or against it.
+  // "omega_inertial_x" may be in the axes of inertial space, or relative to it.
   if (has_any(words, frames) && !has_any(words, {"body", "wrt"})) return false;
   return has_any(words, rates) || (has_any(words, about) && has_any(words, of_motion));
 }
@@ -133,7 +134,7 @@ std::optional<std::size_t> digit_of(std::string_view word) {
   return static_cast<std::size_t>(word[0] - '0');
 }
 
-/// Row and column of an entry, from "12" or from "1", "2"; `rest` becomes the words before.
+/// Row and column of an entry, from "12" or from "1", "2"; `rest` receives the words before.
 std::optional<std::pair<std::size_t, std::size_t>> indices_of(const Words& words, Words& rest) {
   if (words.size() < 2) return std::nullopt;
   const std::string& last = words.back();

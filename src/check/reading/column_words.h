@@ -8,16 +8,17 @@
 
 namespace twrench::check {
 
-/// What a column can be, as its name says: one component of a kind.
+/// A meaning of a column that its name allows: one component of a kind.
 struct Role {
-  /// Which columns belong together: those of one group have the same words but for the component's.
+  /// Columns belong together if their groups are equal: their names differ only in the word for the
+  /// component.
   std::string group;
-  std::size_t component = 0;  ///< in names_of(kind); of "q0" and the like, the number
-  bool in_space = false;      ///< of rates
-  bool is_open = false;       ///< of q0 ... q3 and r0 ... r8: their order is left open
+  std::size_t component = 0;  ///< index in names_of(kind); for "q0" and the like, the number
+  bool in_space = false;      ///< for rates
+  bool is_open = false;       ///< for q0 ... q3 and r0 ... r8, whose order is open
 };
 
-/// All that a column with these words in its name can be of this kind.
+/// Returns the roles of this kind that a column with these words in its name may have.
 std::vector<Role> roles_of(const std::vector<std::string>& words, Kind kind);
 
 }  // namespace twrench::check

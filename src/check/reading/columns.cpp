@@ -25,7 +25,7 @@ std::vector<std::size_t> columns_where(const table::Header& header, const Same& 
   return found;
 }
 
-/// The index that "#3" means in a table with so many columns.
+/// The index that "#3" means in a table with `count` columns.
 std::optional<std::size_t> numbered(const std::string& name, std::size_t count) {
   if (!name.starts_with('#')) return std::nullopt;
   std::size_t number = 0;
@@ -49,9 +49,8 @@ std::size_t find_column(const table::Header& header, const std::string& ours,
   auto found = columns_where(header, [&](const std::string& name) { return name == theirs; });
   if (found.empty()) {
     if (const auto column = numbered(theirs, header.names.size())) return *column;
-    const std::string small = in_small_letters(theirs);
-    found = columns_where(header,
-                          [&](const std::string& name) { return in_small_letters(name) == small; });
+    const std::string small = to_lower(theirs);
+    found = columns_where(header, [&](const std::string& name) { return to_lower(name) == small; });
   }
   if (found.empty()) {
     throw ColumnError(header.file, ours, fmt::format("it has no column '{}' for {}", theirs, ours),

@@ -10,13 +10,13 @@
 namespace twrench::check {
 namespace {
 
-/// Of doubles: more digits tell nothing more.
+/// Further digits of a double carry no information.
 constexpr int digits_of_double = 17;
 
-/// How many numbers are looked at for digits that a change of their unit added.
+/// How many numbers are examined for digits that a conversion of their unit added.
 constexpr std::size_t kept_values = 192;
 
-/// One file in a million is taken for one of a narrow format by chance.
+/// At this level, one file in a million passes for one of a narrow format by chance.
 constexpr double enough_evidence = 20;  // bits
 
 /// One unit of a decimal place: 10^-decimals.
@@ -70,8 +70,8 @@ void Digits::add(const table::Number& number) {
   last_->decimals = std::max(last_->decimals, number.decimals);
 }
 
-/// Whether the decimals, rather than the significant digits, are the same in all decades: the rule
-/// that fewer numbers break.
+/// Whether the number of decimals, rather than that of significant digits, is the same in all
+/// decades. Decides for the rule that fewer numbers break.
 bool Digits::has_fixed_decimals() const {
   std::size_t fewer_decimals = 0, fewer_digits = 0;
   for (const auto& [place, decade] : decades_) {
@@ -113,7 +113,7 @@ Resolution Digits::written_resolution(double unit) const {
     resolution.written = Written::decimals;
     resolution.count = decimals_;
   }
-  // Printed with fewer decimals than its format needs.
+  // A narrow format may be printed with fewer decimals than it needs.
   const bool has_last_place = resolution.written == Written::decimals || (is_narrow && is_short);
   if (has_last_place) resolution.absolute = unit * unit_of_place(decimals_);
   return resolution;
@@ -124,7 +124,7 @@ void TimeDigits::add(const table::Number& number) {
   ++count_;
   if (count_ == 1) first_ = number.value;
   if (count_ == 2) step_ = number.value - first_;
-  // Decimals are rounded to doubles, of which the step is a difference.
+  // The times are rounded to doubles, and the step is a difference of two of them.
   const double expected = first_ + step_ * static_cast<double>(count_ - 1);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() *
                           std::max(std::abs(number.value), std::abs(first_));

@@ -10,27 +10,28 @@
 
 namespace twrench::check {
 
-/// Whether numbers are values of a narrow binary format, in whatever decimals they are printed.
+/// Detects whether all numbers are values of a narrow binary format, however many decimals are
+/// printed.
 class NarrowFormat {
  public:
-  /// A format with so many bits, the leading one included, and the least exponent of normal numbers
-  /// as std::frexp returns it.
+  /// `bits` includes the leading bit of the significand; `least_exponent` is that of the smallest
+  /// normal number, as std::frexp returns it.
   NarrowFormat(int bits, int least_exponent) : bits_(bits), least_exponent_(least_exponent) {}
 
   void add(const table::Number& number);
 
-  /// Whether all numbers are values of it, which more of them are than by chance.
+  /// Whether all numbers are values of the format, and too many for this to be chance.
   bool holds_all() const;
 
  private:
   int bits_, least_exponent_;
   bool all_ = true;
-  double evidence_ = 0;  ///< bits: how improbable it is that other numbers would all have been
+  double evidence_ = 0;  ///< bits: how improbable this would be for arbitrary numbers
 };
 
-/// Finds from the numbers of a column how they are written: with so many decimals, with so many
-/// significant digits, as values of half or single precision, or with digits that a change of the
-/// unit added.
+/// Determines from the numbers of a column how they are written: with a fixed number of decimals or
+/// of significant digits, as values of half or single precision, or with digits that a conversion
+/// of the unit added.
 class Digits {
  public:
   Digits() = default;
@@ -39,7 +40,8 @@ class Digits {
 
   void add(const table::Number& number);
 
-  /// The spacing of the numbers seen, of which one unit is `unit` of ours.
+  /// Returns the spacing of the numbers added so far. `unit` is the size of the file's unit in
+  /// ours.
   Resolution resolution(double unit) const;
 
  private:
@@ -53,20 +55,20 @@ class Digits {
   bool has_fixed_decimals() const;
 
   std::map<int, Decade> decades_;
-  Decade* last_ = nullptr;  ///< the decade of the number before, which the next mostly shares
+  Decade* last_ = nullptr;  ///< that of the previous number, as usually of the next
   int last_place_ = 0;
   int decimals_ = std::numeric_limits<int>::min();
   int significant_ = 0;
   NarrowFormat float16_{11, -13}, float32_{24, -125};
-  std::vector<double> first_values_;  ///< some that are not zero
+  std::vector<double> first_values_;  ///< nonzero, for find_hidden_digits()
 };
 
-/// The same for times, which may be written exactly in few digits.
+/// Does the same for times, which may be exact with few digits.
 class TimeDigits {
  public:
   void add(const table::Number& number);
 
-  /// That of doubles where the times are equally spaced in all their digits.
+  /// Returns the resolution of doubles if the times are equally spaced in all their digits.
   Resolution resolution(double unit) const;
 
  private:

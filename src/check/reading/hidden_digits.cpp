@@ -13,7 +13,7 @@
 namespace twrench::check {
 namespace {
 
-/// A number of 13 digits is this near to one double in fifty by chance, and to many never.
+/// By chance, one double in fifty is this close to a number of 13 digits, but never many of them.
 constexpr int most_digits = 13;
 constexpr double rounding = 1e-15;
 
@@ -23,7 +23,7 @@ double read_double(const std::string& text) {
   return number.value;
 }
 
-/// The constant as programs write it: rounded or cut off after so many digits, and whole.
+/// The constant as programs write it: in full, and rounded or truncated to 3 ... 16 digits.
 std::vector<double> abridged(double constant) {
   std::vector<double> values{constant};
   const std::string digits = fmt::format("{:.16e}", constant);  // "5.72...e+01"
@@ -35,7 +35,7 @@ std::vector<double> abridged(double constant) {
   return values;
 }
 
-/// The factors by which programs turn radians into degrees and back, and none.
+/// The factors by which programs convert radians to degrees and back, and 1 for no conversion.
 std::vector<double> conversion_factors() {
   std::vector<double> factors{1};
   for (const double factor : abridged(180 / std::numbers::pi)) {
@@ -50,7 +50,7 @@ std::vector<double> conversion_factors() {
   return factors;
 }
 
-/// The value as a number of few digits, if it is one but for rounding.
+/// Returns the value as a number of at most 13 digits, if it is one up to rounding.
 std::optional<table::Number> as_short_number(double value) {
   const std::string text = fmt::format("{:.{}e}", value, most_digits - 1);
   table::Number number;

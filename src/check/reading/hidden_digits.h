@@ -8,15 +8,16 @@
 
 namespace twrench::check {
 
-/// Numbers as they were before a program changed their unit, and the factor by which it did.
+/// Numbers as they were before a program converted their unit, and the conversion factor.
 struct HiddenDigits {
   double factor = 1;
   std::vector<table::Number> numbers;
 };
 
-/// Finds whether numbers that are written with all digits of doubles had fewer before: a program
-/// that prints 12 digits of rad/s, of which another makes deg/s with 57.295779513, adds none that
-/// are true. Nothing where there are too few different numbers to tell.
+/// Detects whether numbers that are written with all digits of doubles had fewer digits before: if
+/// one program prints 12 digits of rad/s, and another converts them to deg/s with 57.295779513, the
+/// digits that this adds are not significant. Returns nothing if the numbers had no fewer digits,
+/// or if there are too few different numbers to decide.
 std::optional<HiddenDigits> find_hidden_digits(std::span<const double> values);
 
 }  // namespace twrench::check

@@ -21,34 +21,34 @@ namespace {
 
 constexpr std::array attitudes{Kind::matrix, Kind::quaternion, Kind::euler};
 
-/// The columns that, in one reading of the file, tell time, rates and attitude; the last two may be
-/// missing.
+/// The columns of the time, the rates and the attitude in one reading of the file; either of the
+/// last two may be missing.
 struct ColumnChoice {
   ColumnSet time;
   std::optional<ColumnSet> rates, attitude;
 };
 
-/// The unit that the name of a column states, and what it states that is not read.
+/// The unit that the name of a column states, or a stated unit that is not supported.
 template <typename Unit>
 struct Stated {
   std::optional<Unit> unit;
   std::string unread;
 };
 
-/// The only column that has our name, if there is one.
+/// The column with our name, if there is exactly one.
 std::optional<std::size_t> column_of_our_name(const table::Header& header,
                                               const std::string& ours) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < header.names.size(); ++i) {
-    if (in_small_letters(header.names[i]) != ours) continue;
+    if (to_lower(header.names[i]) != ours) continue;
     if (found) return std::nullopt;
     found = i;
   }
   return found;
 }
 
-/// The set of a kind as it was said, or nothing where none of it was. What was left out of it has
-/// our name.
+/// The set of a kind as the user gave it; nothing if the user named none of its columns. The other
+/// columns of the set are looked up by our names.
 std::optional<ColumnSet> said_set(const table::Header& header, const Convention& said, Kind kind) {
   ColumnSet set{kind, {}, false};
   std::string missing, found;
@@ -66,20 +66,20 @@ std::optional<ColumnSet> said_set(const table::Header& header, const Convention&
   if (found.empty()) return std::nullopt;
   if (!missing.empty()) {
     throw ColumnError(header.file, missing,
-                      fmt::format("a column is named for {}, but none for {}", found, missing),
+                      fmt::format("columns are given for {}, but not for {}", found, missing),
                       columns_remedy(header));
   }
   return set;
 }
 
-/// What was said of the attitude: in one form.
+/// The attitude as the user gave it. Throws if columns of several forms are named.
 std::optional<ColumnSet> said_attitude(const table::Header& header, const Convention& said) {
   std::optional<ColumnSet> attitude;
   for (const Kind kind : attitudes) {
     const auto set = said_set(header, said, kind);
     if (set && attitude) {
       throw table::BadTable(header.file,
-                            fmt::format("columns are named for {} and for {}",
+                            fmt::format("columns are given both for {} and for {}",
                                         description_of(attitude->kind), description_of(kind)),
                             "name those of one attitude");
     }
@@ -88,7 +88,7 @@ std::optional<ColumnSet> said_attitude(const table::Header& header, const Conven
   return attitude;
 }
 
-/// The sets, or one empty place where there are none.
+/// The sets, or one empty element if there are none.
 std::vector<std::optional<ColumnSet>> or_nothing(const std::vector<ColumnSet>& sets) {
   if (sets.empty()) return {std::nullopt};
   return {sets.begin(), sets.end()};
@@ -98,7 +98,8 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
   if (const auto set = said_set(header, said, Kind::time)) return {*set};
   std::vector<ColumnSet> found = find_sets(header, Kind::time);
   if (found.empty()) {
-    throw ColumnError(header.file, "t", "no column has a name of the time", columns_remedy(header));
+    throw ColumnError(header.file, "t", "no column is recognised as the time",
+                      columns_remedy(header));
   }
   return found;
 }
@@ -110,15 +111,15 @@ bool is_without_names(const table::Header& header) {
   return true;
 }
 
-/// The columns of a kind from `first` on, in each order in which they may stand.
+/// The columns of a kind from `first` on, in each order that they may have.
 std::vector<ColumnSet> sets_from(std::size_t first, Kind kind) {
   std::vector<std::size_t> columns(names_of(kind).size());
   std::iota(columns.begin(), columns.end(), first);
   return orders_of(kind, columns);
 }
 
-/// What a file without names has, as far as the number of its columns tells: a time, and rates, an
-/// attitude or both in either order. Nothing for other numbers of columns.
+/// The possible columns of a file without names, judging by their number: a time followed by rates,
+/// an attitude or both in either order. Empty for other numbers of columns.
 std::vector<ColumnChoice> choices_by_number(const table::Header& header) {
   const std::size_t count = header.names.size();
   const ColumnSet time = sets_from(0, Kind::time).front();
@@ -175,15 +176,15 @@ void add_columns(const table::Header& header, const ColumnSet& set, Convention& 
       if (column != theirs) continue;
       throw ColumnError(
           header.file, ours,
-          fmt::format("the column '{}' is named for {} and for {}", theirs, other, ours),
-          "each needs a column of its own");
+          fmt::format("the column '{}' is used for both {} and {}", theirs, other, ours),
+          "give each a separate column");
     }
     convention.columns[ours] = theirs;
   }
 }
 
-/// The unit that the columns of the set state, or else the one that was said. `unit_of` takes it
-/// from the words of a name.
+/// The unit that the columns of the set state, or else the one that the user gave. `unit_of`
+/// extracts it from the words of a name.
 template <typename Unit, typename UnitOf>
 std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& set,
                                 std::optional<Unit> said, const UnitOf& unit_of) {
@@ -195,7 +196,7 @@ std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& se
     if (!here.unread.empty()) {
       throw table::BadTable(
           header.file,
-          fmt::format("the column '{}' is in {}, which is not read", name, here.unread),
+          fmt::format("the column '{}' is in {}, which is not supported", name, here.unread),
           "convert it to radians or degrees, and to seconds");
     }
     if (!here.unit) continue;
@@ -204,7 +205,7 @@ std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& se
       throw table::BadTable(header.file,
                             fmt::format("the column '{}' states {}, but {} {}", name,
                                         name_of(*here.unit).option, name_of(*other).option,
-                                        stated ? "is stated by another of its kind" : "was said"),
+                                        stated ? "is stated by another of its kind" : "is given"),
                             "one of the two is wrong");
     }
     stated = here.unit;
@@ -243,7 +244,7 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   return convention;
 }
 
-/// The convention with each sequence that it leaves open.
+/// Adds the convention, once for each sequence if it leaves the sequence open.
 void add_with_sequences(Convention convention, std::vector<Convention>& all) {
   if (attitude_form(convention) != AttitudeForm::euler || !convention.sequence.empty()) {
     all.push_back(std::move(convention));

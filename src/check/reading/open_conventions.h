@@ -7,12 +7,13 @@
 
 namespace twrench::check {
 
-/// Returns every convention that the names of the columns leave open, given what was said: one
-/// where nothing is ambiguous, which then has all its columns. Where columns of rates or of an
-/// attitude are said, no others are looked for, but for the time. Of Euler angles without a
-/// sequence all six that turn about three different axes are returned. Throws ColumnError for a
-/// column that the file has not, for a time, a rate or a component that is missing, and where there
-/// are neither rates nor an attitude; BadTable where the file states another unit than was said.
+/// Returns every convention that the names of the columns and `said`, the convention as far as the
+/// user gave it, leave open. Each names all its columns; if nothing is ambiguous, there is only
+/// one. If rate or attitude columns are given explicitly, only the time column is detected
+/// automatically. For Euler angles without a sequence, all six sequences that turn about three
+/// different axes are returned. Throws ColumnError if a given column does not exist, if the time, a
+/// rate or a component is missing, and if there are neither rates nor an attitude; BadTable if the
+/// file states another unit than the user.
 std::vector<Convention> conventions(const table::Header& header, const Convention& said);
 
 }  // namespace twrench::check

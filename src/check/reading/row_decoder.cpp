@@ -28,9 +28,10 @@ Matrix3d offset_of(const Convention& convention) {
 
 }  // namespace
 
-// Of a file whose axes are P times the body's, the attitude X_file takes components in its axes of
-// the body to its axes of space. Where P has the determinant -1, both are left-handed, and space
-// may be turned back by any reflection, since the frame of space is the file's own: -1 is one.
+// If the file's body axes are P times the program's, its attitude X_file takes components in its
+// body axes to its space axes. If det P = -1, both frames of the file are left-handed. Any
+// reflection makes the space frame right-handed again, because the file chooses that frame freely;
+// -1 is used.
 RowDecoder::RowDecoder(const table::Header& header, const Convention& convention,
                        std::function<std::string()> place)
     : form_(attitude_form(convention)),
@@ -99,7 +100,7 @@ void RowDecoder::require_finite(std::span<const table::Number> numbers) const {
     if (std::isfinite(numbers[i].value)) continue;
     throw table::BadTable(table::cell_place(place_(), names_[i]),
                           fmt::format("{} is not finite", numbers[i].value),
-                          "remove the row, or end the file before it");
+                          "remove the row, or truncate the file before it");
   }
 }
 
@@ -128,8 +129,7 @@ table::BadTable RowDecoder::bad_attitude(const std::string& why, const std::stri
 void RowDecoder::decode_matrix(std::span<const table::Number> entries, Row& row) const {
   for (int i = 0; i < 9; ++i) row.X(i / 3, i % 3) = entries[static_cast<std::size_t>(i)].value;
   const Eigen::Vector3d lengths = row.X.rowwise().stableNorm();
-  // Integrators that do not project drift, which is the judge's to say; beyond this it is something
-  // else.
+  // Integrators that do not project drift; judge() measures that. Such lengths are no drift.
   if (!(lengths.minCoeff() > 1e-3 && lengths.maxCoeff() < 1e3)) {
     throw bad_attitude(
         fmt::format("its rows have the lengths {:.3g}, {:.3g} and {:.3g} instead of 1", lengths[0],
@@ -137,14 +137,14 @@ void RowDecoder::decode_matrix(std::span<const table::Number> entries, Row& row)
         "correct the row, or choose other columns");
   }
   const double determinant = row.X.determinant();
-  // The product of the lengths is what rows at right angles would have.
+  // Rows at right angles would have the product of their lengths as determinant.
   if (std::abs(determinant) < 0.01 * lengths.prod()) {
     throw bad_attitude(fmt::format("it is singular, with the determinant {:.3g}", determinant),
                        "correct the row, or choose other columns");
   }
   if (determinant < 0) {
     throw bad_attitude(
-        fmt::format("it is a reflection and no rotation: its determinant is {:.3g}", determinant),
+        fmt::format("it is a reflection, not a rotation: its determinant is {:.3g}", determinant),
         "check the signs, and that both frames are right-handed");
   }
   row.orthogonality_error = (row.X.transpose() * row.X - Matrix3d::Identity()).norm();
@@ -154,10 +154,10 @@ void RowDecoder::decode_quaternion(std::span<const table::Number> numbers, Row& 
   std::array<double, 4> q{};
   for (std::size_t i = 0; i < 4; ++i) q[i] = numbers[i].value;
   const double length = Eigen::Map<const Eigen::Vector4d>(q.data()).stableNorm();
-  // A quaternion that drifts is judged; any other is refused. Matrices are treated alike.
+  // A quaternion that drifts is judged; any other is rejected, as with matrices.
   constexpr double most = 0.1;
   if (!(std::abs(length - 1) <= most)) {
-    throw bad_attitude(length == 0 ? "it is zero, which is no attitude"
+    throw bad_attitude(length == 0 ? "it is zero, which is not a valid attitude"
                                    : fmt::format("its length is {:.6g} instead of 1", length),
                        "normalise it, or choose other columns");
   }

@@ -16,29 +16,29 @@
 
 namespace twrench::check {
 
-/// Takes the numbers of a file to the program's units and conventions.
+/// Converts the numbers of a file to the program's units and conventions.
 class RowDecoder {
  public:
-  /// `convention` names all columns, as conventions() returns it; `place` tells messages where the
-  /// row stands. Throws as conventions() does, and InvalidArgument where rates in space axes come
-  /// without an attitude.
+  /// `convention` names all columns, as those of conventions() do; `place` returns the location of
+  /// the row for messages. Throws as conventions() does, and InvalidArgument if rates in space axes
+  /// come without an attitude.
   RowDecoder(const table::Header& header, const Convention& convention,
              std::function<std::string()> place);
 
-  /// Of the file, in the order in which decode() takes their numbers.
+  /// The indices of the file's columns, in the order in which decode() expects their numbers.
   const std::vector<std::size_t>& columns() const { return columns_; }
   bool has_rates() const { return has_rates_; }
   AttitudeForm attitude() const { return form_; }
   std::span<const table::Number> rates_in(std::span<const table::Number> numbers) const;
   std::span<const table::Number> attitude_in(std::span<const table::Number> numbers) const;
-  /// How many s one unit of the file's times has, and rad/s one of its rates.
+  /// The file's unit of times in s, and its unit of rates in rad/s.
   double second() const { return second_; }
   double rate_unit() const { return rate_unit_; }
-  /// How many rad one unit of the numbers of the attitude has: 1 where they are no angles.
+  /// The unit of the attitude's numbers in rad; 1 if they are not angles.
   double attitude_unit() const { return form_ == AttitudeForm::euler ? angle_unit_ : 1.0; }
 
-  /// Sets all of the row but its number. Throws table::BadTable for numbers that are not finite or
-  /// no rotation.
+  /// Sets everything in the row except its number. Throws table::BadTable if the numbers are not
+  /// finite or not a rotation.
   void decode(std::span<const table::Number> numbers, Row& row) const;
 
  private:
@@ -54,8 +54,8 @@ class RowDecoder {
   bool has_rates_, rates_in_space_, inverse_, changes_axes_;
   double second_, rate_unit_, angle_unit_;
   Axes sequence_{2, 1, 0};
-  Eigen::Matrix3d body_from_file_;  ///< of components of rates
-  Eigen::Matrix3d turned_by_;       ///< what the attitude is multiplied by from the right
+  Eigen::Matrix3d body_from_file_;  ///< applies to the rates
+  Eigen::Matrix3d turned_by_;       ///< multiplies the attitude from the right
   std::vector<std::size_t> columns_;
   std::vector<std::string> names_;  ///< of the columns
   std::function<std::string()> place_;

@@ -15,11 +15,11 @@ namespace twrench::check {
 /// One pass over a recorded trajectory, in memory that does not grow with the file.
 class RowReader {
  public:
-  /// Opens the file; `convention` names all columns, as conventions() returns it. Throws what
-  /// table::open_table and conventions() throw, and InvalidArgument where rates in space axes come
+  /// Opens the file. `convention` names all columns, as those of conventions() do. Throws what
+  /// table::open_table and conventions() throw, and InvalidArgument if rates in space axes come
   /// without an attitude.
   RowReader(const std::filesystem::path& file, const Convention& convention);
-  /// The same for a table that is open.
+  /// Reads a table that is already open.
   RowReader(std::unique_ptr<table::Reader> table, const Convention& convention);
   ~RowReader();
   RowReader(RowReader&&) noexcept;
@@ -28,22 +28,21 @@ class RowReader {
   bool has_rates() const;
   AttitudeForm attitude() const;
 
-  /// Reads the next row. Returns false at the end. Throws system::FileError where the file cannot
-  /// be read, and table::BadTable, about the row and the column, for what is no number, not finite,
-  /// out of the order of time, no rotation.
+  /// Reads the next row. Returns false at the end. Throws system::FileError if the file cannot be
+  /// read, and table::BadTable, naming the row and the column, if a value is not a number, not
+  /// finite, out of the order of time, or not a rotation.
   bool next(Row& row);
 
-  /// Where the row read last stands: "run.csv:17", or "run.npy: row 16" in a file without lines.
+  /// Location of the row read last: "run.csv:17", or "run.npy: row 16" in a file without lines.
   std::string place() const;
 
-  // Of the rows read so far: known after the pass.
+  // Resolutions of the rows read so far; final after the pass.
 
-  /// s. Of equally spaced times that are exact in all their digits, that of doubles.
+  /// s. That of doubles if the times are equally spaced and exact in all their digits.
   Resolution time_resolution() const;
   /// rad/s.
   Resolution rate_resolution() const;
-  /// Of the numbers of the attitude: entries of the matrix or of the quaternion; rad for Euler
-  /// angles.
+  /// For the entries of the matrix or of the quaternion, or for the Euler angles in rad.
   Resolution attitude_resolution() const;
 
  private:

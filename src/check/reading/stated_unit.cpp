@@ -20,11 +20,11 @@ constexpr std::array<Pair, 9> letters{{{"\u03c9", "omega"},
                                        {"\u00b5", "u"},
                                        {"\u03bc", "u"}}};
 
-/// Words that stand before a component without anything between them: "qw", "omegax".
+/// Words that may precede a component without a separator: "qw", "omegax".
 constexpr std::array<std::string_view, 7> prefixes{"w", "omega", "gyro",  "rate",
                                                    "q", "quat",  "angvel"};
 
-// Not those of <cctype>, which depend on the locale.
+// Unlike those of <cctype>, these do not depend on the locale.
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_alpha(char c) { return is_lower(c) || is_upper(c); }
@@ -47,7 +47,7 @@ bool is_boundary(char before, char c) {
   return (is_lower(before) && is_upper(c)) || is_alpha(before) != is_alpha(c);
 }
 
-/// Adds a word, or the two that it is put together from.
+/// Adds a word, or its two parts if it is a prefix and an axis.
 void add_word(std::vector<std::string>& words, std::string word) {
   if (word.empty()) return;
   const std::string stem = word.substr(0, word.size() - 1);
@@ -106,8 +106,8 @@ constexpr std::array<TimeWord, 19> time_words{{{"s", TimeUnit::s},
                                                {"hrs", TimeUnit::h},
                                                {"hours", TimeUnit::h}}};
 
-/// The unit of time that the word at `at` names. "min" and "h" also mean other things, so that they
-/// count only beside a word of time: "t_min".
+/// The unit of time that the word at `at` names. "min" and "h" also mean other things, so they
+/// count only after a word for time: "t_min".
 std::optional<TimeUnit> time_at(std::span<const std::string> words, std::size_t at) {
   if (at >= words.size()) return std::nullopt;
   const auto found = std::ranges::find(time_words, words[at], &TimeWord::word);
@@ -119,7 +119,7 @@ std::optional<TimeUnit> time_at(std::span<const std::string> words, std::size_t 
 }
 
 /// Reads the unit that begins at `at`, if there is one: "deg per s", "rad / s", "rev / min", "ms".
-/// Returns how many words it has.
+/// Returns its number of words.
 std::size_t take_unit(std::span<const std::string> words, std::size_t at, StatedUnit& unit) {
   if (std::ranges::find(unread_words, words[at]) != unread_words.end()) {
     unit.unread = words[at];
@@ -172,7 +172,7 @@ StatedUnit stated_unit(const std::vector<std::string>& words) {
 StatedUnit stated_unit(const table::Header& header, std::size_t column) {
   StatedUnit unit = stated_unit(words_of(header.names[column]));
   if (column >= header.units.size()) return unit;
-  // Nothing but a unit stands there.
+  // The cell contains only a unit; after the word "time", "min" and "h" count as well.
   std::vector<std::string> words = words_of(header.units[column]);
   words.insert(words.begin(), "time");
   const StatedUnit below = stated_unit(words);

@@ -11,22 +11,23 @@
 
 namespace twrench::check {
 
-/// The words of a column's name in small letters: "bodyRate_deg_s[0]" -> body, rate, deg, s, 0.
-/// Greek letters are their names; w and omega are parted from the axis behind them: "wx" -> w, x.
+/// Splits a column's name into lower-case words: "bodyRate_deg_s[0]" -> body, rate, deg, s, 0.
+/// Greek letters become their names; w and omega are separated from an axis that follows:
+/// "wx" -> w, x.
 std::vector<std::string> words_of(std::string_view name);
 
-/// What the words of a name say of its unit, and the words without it.
+/// The unit that the words of a name state, and the other words.
 struct StatedUnit {
   std::vector<std::string> other_words;
-  std::optional<RateUnit> rate;  ///< of an angular rate; of an angle, this unit without the second
+  std::optional<RateUnit> rate;  ///< of an angular rate; for an angle, deg/s means deg
   std::optional<TimeUnit> time;
-  std::string unread;  ///< a unit of angles that is not read ("gon"), or empty
+  std::string unread;  ///< a unit of angles that is not supported ("gon"), or empty
 };
 
-/// Takes the words of units from a name.
+/// Separates the words of units from the others.
 StatedUnit stated_unit(const std::vector<std::string>& words);
 
-/// The same for a column, of which the row below the names may tell more.
+/// Does the same for a column; a unit in the row below the names takes precedence.
 StatedUnit stated_unit(const table::Header& header, std::size_t column);
 
 }  // namespace twrench::check

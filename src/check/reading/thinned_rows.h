@@ -9,10 +9,10 @@
 
 namespace twrench::check {
 
-/// Evenly spread rows of a file of any length: every 2^k-th, the first among them.
+/// Evenly spread rows of a file of any length: the first and every 2^k-th after it.
 class ThinnedRows {
  public:
-  /// Keeps at most `most` rows, which must be even.
+  /// Keeps at most `most` rows; `most` must be even.
   explicit ThinnedRows(std::size_t most) : most_(most) {}
 
   void add(const Row& row);

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// |a / b - 1|, which is 0 of two zeros.
+/// |a / b - 1|, or 0 if both are zero.
 double relative_difference(double a, double b) { return a == b ? 0 : std::abs(a / b - 1); }
 
 double angle_between(const Vector3d& a, const Vector3d& b) {

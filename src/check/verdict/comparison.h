@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/reading/row.h"
-#include "check/verdict/course.h"
+#include "check/verdict/error_history.h"
 #include "check/verdict/exact_rows.h"
 #include "check/verdict/flips.h"
 #include "check/verdict/noise.h"
@@ -17,22 +17,22 @@ namespace twrench::check {
 
 /// The errors of a quantity over all rows.
 struct ErrorSize {
-  double max = 0;  ///< largest: of the components of rates, rad/s; of the angle of attitudes, rad
-  double at = 0;   ///< when, s
-  double rms = 0;  ///< root mean square, of the same
+  double max = 0;  ///< largest component of a rate error, rad/s, or angle of an attitude error, rad
+  double at = 0;   ///< time of the largest, s
+  double rms = 0;  ///< root mean square of the same
 };
 
-/// How an attitude error grows that is a turning of the space frame itself: it is about one axis of
-/// space and in proportion to the time.
+/// The part of the attitude errors that is a steady rotation of the space frame itself: about one
+/// axis of space and in proportion to the time.
 struct FrameTurn {
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();  ///< rad/s, axes of the file's space
-  double share = 0;  ///< of the squares of the attitude errors that it explains, 0 to 1
+  double share = 0;  ///< fraction of the squared attitude errors that it explains, 0 to 1
 };
 
 /// Compares rows with the exact motion, block by block, in memory that does not grow.
 class Comparison {
  public:
-  /// Begins with the reference that the rows are held against.
+  /// `reference` must outlive the comparison.
   Comparison(const Reference& reference, bool has_rates, bool has_attitude);
 
   /// Takes the next rows in order of time.
@@ -42,24 +42,24 @@ class Comparison {
   double first_time() const { return first_.t; }
   double last_time() const { return last_time_; }
 
-  // Over all rows so far, of which there must be one.
+  // Results over all rows so far; there must be at least one.
   ErrorSize rates() const { return size_of(rates_, 3); }
   double first_rate_error() const { return first_rate_error_; }
   ErrorSize attitude() const { return size_of(attitude_, 1); }
-  /// Relative to the first row's own: largest |drift|. Where there are no rates, those that the
-  /// attitude implies with the exact L are taken.
+  /// Largest |drift| relative to the first row. If there are no rates, they are computed from the
+  /// attitude and the exact L.
   double energy_drift() const { return energy_drift_; }
   double momentum_drift() const { return momentum_drift_; }
-  /// Largest angle between L in space and the first row's, rad.
+  /// Largest angle between L in space and that of the first row, rad.
   double direction_drift() const { return direction_drift_; }
-  /// Relative to the exact motion: largest |difference|.
+  /// Largest |difference| relative to the exact motion.
   double energy_error() const { return energy_error_; }
   double momentum_error() const { return momentum_error_; }
   double orthogonality_error() const { return orthogonality_error_; }
   /// Largest magnitude of a component of the rates, rad/s, and of their derivative, rad/s^2.
   double largest_rate() const { return largest_rate_; }
   double largest_acceleration() const { return largest_acceleration_; }
-  /// What the errors of the rates add up to at most as an angle, rad.
+  /// Upper bound of the angle to which the errors of the rates add up, rad.
   double accumulated_rate_error() const { return accumulated_; }
   FrameTurn frame_turn() const;
   std::vector<Span>& spans() { return course_.spans(); }
@@ -93,7 +93,7 @@ class Comparison {
   double times_squared_ = 0, errors_squared_ = 0;
   Eigen::Vector3d times_errors_ = Eigen::Vector3d::Zero();
   DifferenceTable rate_table_, attitude_table_;
-  Course course_;
+  ErrorHistory course_;
   FlipFinder flips_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The exact motions from an initial velocity that differs by `step` rad/s along each axis.
+/// The exact motions whose initial velocities differ by +-`step` rad/s along each axis.
 struct Neighbours {
   Neighbours(const motion::FreeBody& body, std::span<const double> times, double step) {
     for (int i = 0; i < 3; ++i) {
@@ -32,7 +32,7 @@ struct Neighbours {
   std::array<ExactRows, 3> ahead, behind;
 };
 
-/// The largest factor by which it lengthens a vector.
+/// The largest factor by which the matrix lengthens a vector.
 double largest_gain(const Matrix3d& change) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> squares(change.transpose() * change,
                                                         Eigen::EigenvaluesOnly);

@@ -7,16 +7,17 @@
 
 namespace twrench::check {
 
-/// How much a small error of the initial angular velocity has grown at a time, at most, whatever
-/// its direction.
+/// The largest growth of a small error of the initial angular velocity up to some time, over all
+/// directions of the error.
 struct Growth {
   double rates = 1;     ///< of the angular velocity: rad/s for each rad/s
   double attitude = 0;  ///< of the attitude: rad for each rad/s
 };
 
-/// Returns the growth up to each of the ascending times in s since the start, by differences of
-/// exact motions. `error` is the size of the initial error in rad/s that matters: where a larger
-/// one would not grow in proportion, near the separatrix, the difference is taken at that size.
+/// Returns the growth up to each of the ascending `times`, in s since the start, from differences
+/// of exact motions. `error` is the size in rad/s of the initial error of interest. Near the
+/// separatrix, where larger errors would not grow in proportion, the differences are taken over
+/// that size.
 std::vector<Growth> error_growth(const motion::FreeBody& body, std::span<const double> times,
                                  double error);
 

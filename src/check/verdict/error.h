@@ -4,14 +4,14 @@
 
 namespace twrench::check {
 
-/// A trajectory that was read, but cannot be judged with what is known.
+/// A trajectory was read, but cannot be judged because information is missing.
 class CheckError : public Error {
  public:
-  /// Why it cannot.
+  /// Why it cannot be judged.
   enum class Reason {
-    no_rates,  ///< there is an attitude alone, so nothing tells the initial angular velocity
-    one_row,   ///< there are too few rows to judge, or to fit anything to
-    at_rest,   ///< nor to a body that does not turn
+    no_rates,  ///< attitudes alone do not determine the initial angular velocity
+    one_row,   ///< there are too few rows to judge or to fit
+    at_rest,   ///< the body does not turn, so nothing can be fitted
   };
 
   CheckError(const std::string& what, const std::string& why, Reason reason)

@@ -11,7 +11,7 @@
 
 namespace twrench::check {
 
-/// The exact motion at many times, in memory that is used again from one block of rows to the next.
+/// The exact motion at many times. Reuses its memory from one block of rows to the next.
 class ExactRows {
  public:
   /// Evaluates the motion at `times` in s.

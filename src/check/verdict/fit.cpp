@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// What residuals are multiplied by; 0 where the rows have none of that kind.
+/// The factors of the residuals; 0 if the rows have none of that kind.
 struct Weights {
   double rates;     ///< s/rad
   double attitude;  ///< 1/rad
@@ -33,10 +33,10 @@ struct Weights {
 /// Whether the moments are fitted too.
 enum class Body { as_given, fitted };
 
-/// The residuals of rows as a function of what is fitted, for Eigen's
-/// Levenberg-Marquardt. Parameters: the change of omega in units of |omega|; if there is an
-/// attitude, the rotation vector by which the frame turns; if the body is fitted, the logarithms by
-/// which two of its principal moments grow relative to the first.
+/// The residuals of rows as a function of the fitted parameters, for Eigen's Levenberg-Marquardt
+/// solver. Parameters: the change of omega in units of |omega|; if there is an attitude, the
+/// rotation vector by which the frame turns; if the body is fitted, the logarithms by which two of
+/// its principal moments grow relative to the first.
 class Residuals : public Eigen::DenseFunctor<double> {
  public:
   Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
@@ -90,7 +90,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
   Matrix3d inertia(const VectorXd& p) const {
     if (body_ == Body::as_given) return from_.body.inertia();
     const body::PrincipalAxes& principal = from_.body.principal();
-    // If no body fits, the moments must stay positive and finite.
+    // Keeps the moments positive and finite if no body fits.
     constexpr double most = 10;
     const auto factor = [&](Eigen::Index i) { return std::exp(std::clamp(p[i], -most, most)); };
     const Vector3d growth(1, factor(p.size() - 2), factor(p.size() - 1));
@@ -106,7 +106,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
   mutable ExactRows exact_;
 };
 
-/// The reference that fits those rows best, beginning with `from`.
+/// Returns the reference that fits the rows best; the search starts at `from`.
 Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights,
                    Body body = Body::as_given) {
   Residuals residuals(from, rows, weights, body);
@@ -144,7 +144,7 @@ VectorXd residuals_of(const Residuals& residuals) {
   return values;
 }
 
-/// Each kind of residual weighted by what the fit left of it, which must not be nothing.
+/// Weights each kind of residual by the inverse of what the fit left of it, at least round-off.
 Weights reweighted(const Weights& weights, const RootMeanSquares& left, double speed) {
   constexpr double round_off = 1e-15;
   const auto inverse = [](double weight, double size) { return weight > 0 ? 1 / size : 0; };
@@ -152,7 +152,7 @@ Weights reweighted(const Weights& weights, const RootMeanSquares& left, double s
           inverse(weights.attitude, std::max(left.attitude, round_off))};
 }
 
-/// The covariance of what is fitted: of omega in units of |omega|, and of the frame in rad.
+/// The covariance of the fitted parameters: omega in units of |omega|, the frame in rad.
 MatrixXd covariance_of(const Residuals& residuals) {
   const VectorXd left = residuals_of(residuals);
   MatrixXd jacobian(residuals.values(), residuals.inputs());
@@ -182,7 +182,7 @@ Fit result(const Reference& reference, std::span<const Row> rows, const Weights&
 Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omega, bool has_rates,
         bool has_attitude) {
   if (rows.size() < 2) {
-    throw CheckError("fit", "there is one row alone, to which nothing can be fitted",
+    throw CheckError("fit", "there is only one row, but a fit needs at least two",
                      CheckError::Reason::one_row);
   }
   const double speed = omega.norm();
@@ -214,7 +214,7 @@ Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& sec
   const double step = second.t - first.t;
   const Matrix3d turn = first.X.transpose() * second.X;
   Vector3d omega = so3::log(turn) / step;
-  constexpr int most_iterations = 50;  // each gains the more, the less the body turns
+  constexpr int most_iterations = 50;  // the less the body turns, the more each gains
   for (int i = 0; i < most_iterations && omega.norm() > 0; ++i) {
     const Matrix3d predicted = motion::ExactMotion({inertia, omega}).at(step).X;
     const Vector3d correction = so3::log(predicted.transpose() * turn) / step;

@@ -18,28 +18,28 @@ struct Fit {
   std::optional<Eigen::Vector3d> frame_deviation;  ///< of the frame about the axes of space, rad
   std::optional<double> rate_residual;      ///< root mean square, component by component, rad/s
   std::optional<double> attitude_residual;  ///< likewise, rad
-  std::size_t rows;                         ///< to how many
+  std::size_t rows;                         ///< number of fitted rows
 };
 
-/// Most rows that a fit takes; of more it takes evenly spread ones.
+/// The most rows that a fit uses; longer files are thinned evenly.
 inline constexpr std::size_t most_fitted_rows = 65536;
 
-/// Fits the angular velocity at the first row, and the frame where there is an attitude, to the
-/// rates in units of |omega| and to the attitudes in rad. It begins with `omega` (body axes,
-/// rad/s, at the first row) and the first rows, and takes in more and more of them, so that it
-/// does not lose its way among phases that differ by whole turns. Throws CheckError where there are
-/// fewer than two rows.
+/// Fits the angular velocity at the first row, and the frame if there is an attitude, to the rates
+/// in units of |omega| and to the attitudes in rad. Starts from `omega` (body axes, rad/s, at the
+/// first row) and the first rows, and adds more and more rows, so that it does not converge to a
+/// phase that is off by whole turns. Throws CheckError if there are fewer than two rows or `omega`
+/// is zero.
 Fit fit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, const Eigen::Vector3d& omega,
         bool has_rates, bool has_attitude);
 
-/// Returns the inertia with the principal axes of `inertia` that fits rows with rates best, which
-/// do not begin at rest. Only its ratios are determined; its least moment is the given one. Where
-/// no body has such a motion it is any.
+/// Returns the inertia with the principal axes of `inertia` that best fits rows with rates. The
+/// first row must not be at rest. Only the ratios are determined; the least moment of `inertia` is
+/// kept. If no body has such a motion, the result is arbitrary.
 Eigen::Matrix3d fitted_inertia(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
                                bool has_attitude);
 
-/// Returns the angular velocity at the first row (body axes, rad/s) whose exact motion turns its X
-/// into that of the second, by less than half a turn.
+/// Returns the angular velocity at the first row (body axes, rad/s) with which the exact motion
+/// takes the X of the first row to that of the second, by less than half a turn.
 Eigen::Vector3d omega_between(const Eigen::Matrix3d& inertia, const Row& first, const Row& second);
 
 }  // namespace twrench::check

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The largest component along `axis` in the time in which it goes through all its values: one
-/// swing, or on the separatrix some seconds about t = 0.
+/// The largest component along `axis` over one full swing; on the separatrix, over ten turns from
+/// t = 0 on.
 double amplitude(const motion::ExactMotion& exact, const Vector3d& axis, double speed) {
   const auto flips = exact.flips();
   const double turns = 10 * 2 * std::numbers::pi / speed;
@@ -46,7 +46,8 @@ void FlipFinder::keep(const SignChange& change) {
   if (found_.size() < most) found_.push_back(change);
 }
 
-/// Where the component crosses zero between the last time and t, at which it is `component`.
+/// The time, between that of the last row and t, at which the component crosses zero; `component`
+/// is its value at t.
 double FlipFinder::crossing(double t, double component) const {
   const double step = t - last_t_;
   const motion::ExactMotion from_last({inertia_, last_omega_});

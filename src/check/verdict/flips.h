@@ -17,26 +17,26 @@ struct SignChange {
   bool up;   ///< from negative to positive
 };
 
-/// A flip of the file and the exact one of the same number and direction. Either may be missing.
+/// A flip in the file and the corresponding exact one. Either may be missing.
 struct Flip {
-  std::optional<double> found, exact;  ///< s, as the file counts
+  std::optional<double> found, exact;  ///< s, on the file's clock
 };
 
-/// Finds the flips of a recorded trajectory, between rows on the exact motion that goes through the
-/// row before. A sign change counts when the component has gone beyond a small part of its swing:
-/// before that, noise may make several of one.
+/// Finds the flips of a recorded trajectory. Between rows it follows the exact motion through the
+/// previous row. A sign change counts once the component exceeds a small part of its amplitude,
+/// because noise near zero may cause several changes instead of one.
 class FlipFinder {
  public:
-  /// Of more than that many flips only the first are kept.
+  /// The most flips that are kept; later ones are dropped.
   static constexpr std::size_t most = 100'000;
 
-  /// Begins with the reference's motion, whose inertia and swing it takes.
+  /// Uses the inertia and the amplitude of the reference's motion.
   explicit FlipFinder(const Reference& reference);
 
-  /// Takes the rates (body axes, rad/s) at the next time t in s.
+  /// Adds the rates (body axes, rad/s) at the next time t in s.
   void add(double t, const Eigen::Vector3d& omega);
 
-  /// Ends the search; the flips so far, in order of time. Whoever asks has added all rows.
+  /// Ends the search, and returns the flips in order of time. Call it after all rows are added.
   std::vector<SignChange> finish();
 
  private:
@@ -44,17 +44,17 @@ class FlipFinder {
   double crossing(double t, double component) const;
 
   Eigen::Matrix3d inertia_;
-  Eigen::Vector3d axis_;  ///< the intermediate one, in body axes
+  Eigen::Vector3d axis_;  ///< the intermediate axis, in body axes
   double threshold_ = 0;  ///< rad/s
   bool has_axis_;         ///< whether there is an intermediate axis
-  double side_ = 0;  ///< sign of the component at first, and then when it was beyond the threshold
-  std::optional<double> at_;  ///< where it crossed zero since then
+  double side_ = 0;  ///< sign of the component at first, later when it last exceeded the threshold
+  std::optional<double> at_;  ///< time at which it crossed zero since then
   double last_t_ = 0;
   Eigen::Vector3d last_omega_ = Eigen::Vector3d::Zero();
   std::vector<SignChange> found_;
 };
 
-/// Returns the sign changes of the exact motion with from < t <= to, s on the file's clock.
+/// Returns the sign changes of the exact motion with from < t <= to, in s on the file's clock.
 std::vector<SignChange> exact_flips(const Reference& reference, double from, double to);
 
 /// Pairs the flips of a file with the exact ones, in order: the n-th with the n-th of the same

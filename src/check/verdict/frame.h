@@ -4,7 +4,7 @@
 
 namespace twrench::check {
 
-/// Returns the rotation that is nearest to X, which is one but for errors.
+/// Returns the rotation nearest to X, which is a rotation up to errors.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& X);
 
 /// Returns the smallest rotation that turns the direction of `from` into that of `to`.

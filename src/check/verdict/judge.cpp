@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "check/reading/informative_rows.h"
 #include "check/reading/row_reader.h"
-#include "check/reading/telling_rows.h"
 #include "check/reading/thinned_rows.h"
 #include "check/verdict/error.h"
 #include "check/verdict/frame.h"
@@ -22,7 +22,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Enough for several threads to be worth their start.
+/// Large enough to be worth the start of several threads.
 constexpr std::size_t rows_per_block = 32768;
 
 template <typename Visit>
@@ -35,7 +35,7 @@ void for_each_block(RowReader& reader, const Visit& visit) {
   }
 }
 
-/// What is known of a file before it is judged.
+/// A file before it is judged.
 struct Recording {
   const std::filesystem::path& file;
   const Convention& convention;
@@ -60,11 +60,11 @@ Vector3d first_omega(const Recording& recording, const Problem& problem,
                      const std::vector<Row>& rows) {
   if (problem.omega) return *problem.omega;
   if (recording.has_rates) return require_representable(recording, rows.front().omega);
-  // fit() throws where there is one row.
+  // With a single row, fit() throws.
   if (problem.fit && rows.size() == 1) return Vector3d::Zero();
   if (problem.fit) return omega_between(problem.inertia, rows[0], rows[1]);
   throw CheckError(recording.file.string(),
-                   "has attitudes alone, which do not tell the initial angular velocity",
+                   "has only attitudes, which do not determine the initial angular velocity",
                    CheckError::Reason::no_rates);
 }
 
@@ -81,7 +81,7 @@ Fit fitted(const Recording& recording, const Problem& problem) {
   return fit(problem.inertia, rows, omega, recording.has_rates, recording.has_attitude);
 }
 
-/// With the frame of the first row.
+/// The given initial state, with the frame of the first row.
 Reference given_reference(const Recording& recording, const Problem& problem) {
   const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 1);
   const double t = first.front().t;
@@ -115,10 +115,11 @@ void turn_to_momentum(Reference& reference, const Recording& recording) {
     reference.frame = rotation_between(L, mean) * reference.frame;
 }
 
-/// One unit of a digit of numbers that were rounded to it: independent errors, evenly spread.
+/// The unit to which numbers were rounded, given the standard deviation of their errors, which are
+/// independent and uniform.
 double digit_of(double deviation) { return std::sqrt(12.0) * deviation; }
 
-/// The standard deviation of errors that are independent from row to row; 0 where there are none.
+/// The standard deviation of errors that are independent from row to row; 0 if there are none.
 double deviation_of(const std::vector<Span>& spans, DifferenceSums Span::*kind) {
   const std::size_t count = spans.size(), quarter = count / 4;
   return noise(sums(spans, kind, 0, count), sums(spans, kind, 0, quarter),
@@ -126,15 +127,15 @@ double deviation_of(const std::vector<Span>& spans, DifferenceSums Span::*kind) 
       .value_or(0);
 }
 
-/// What is printed, or the digits that the program really has: where it has fewer, the others are
-/// noise. It must be far below what an error of a method would be.
+/// One unit of the last printed digit, or of the last digit that the program really has: if it has
+/// fewer, the others are noise. Noise counts as digits only far below the errors of methods.
 double digit(double printed, double scale, double deviation) {
   constexpr double most = 1e-10;
   return digit_of(deviation) > most * scale ? printed : std::max(printed, digit_of(deviation));
 }
 
-/// One unit of the last digit of an attitude as an angle, rad: of entries of about 1, or of an
-/// Euler angle as large as they come. A quaternion has half the angle.
+/// One unit of the last digit of an attitude as an angle, rad: for entries of about 1, or for the
+/// largest Euler angles. A quaternion contains half the angle.
 double printed_angle(const RowReader& reader) {
   const Resolution resolution = reader.attitude_resolution();
   if (reader.attitude() == AttitudeForm::euler) return resolution.at(std::numbers::pi);
@@ -156,7 +157,8 @@ LastDigits digits_of(const RowReader& reader, const Comparison& comparison, cons
   return digits;
 }
 
-/// How far the digits of a file and those of doubles determine the motion, at each span.
+/// Sets the resolution limits of each span: how precisely the digits of the file and those of
+/// doubles determine the motion.
 void add_limits(Judgement& judgement, const Comparison& comparison) {
   std::vector<double> times;
   for (const Span& span : judgement.course)
@@ -182,19 +184,19 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   judgement.attitude_limit = judgement.course.back().attitude_limit;
 }
 
-/// Whether the digits and noise explain all errors: that of the rows, and that of the initial state
-/// with what the motion makes of it.
+/// Whether the digits and the noise explain all errors: those of the rows, and that of the initial
+/// state as the motion amplifies it.
 bool are_noise(const Judgement& judgement) {
   const Noise& noise = judgement.noise;
   const motion::FreeBody& body = judgement.reference.body;
   const double speed = body.omega().norm();
   const double step = (judgement.last_time - judgement.first_time) /
                       static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
-  constexpr double smooth = 0.5;  // rad a row: so far the errors of methods are smooth
+  constexpr double smooth = 0.5;  // rad per row: up to this, the errors of methods are smooth
   if ((noise.rate == 0 && noise.attitude == 0) || speed * step > smooth) return false;
   constexpr double most = 0.1;  // more is no measurement of the motion
   if (noise.rate > most * speed || noise.attitude > most) return false;
-  constexpr double deviations = 6;  // which one number in 5e8 exceeds
+  constexpr double deviations = 6;  // one number in 5e8 exceeds them
   const double rate = deviations * noise.rate, attitude = deviations * noise.attitude;
   const double of_first_row = judgement.has_rates ? rate : attitude * speed;
   const double initial =
@@ -234,7 +236,7 @@ void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm
   }
 }
 
-/// What follows from the errors at the end of a pass.
+/// Draws the conclusions from the errors after a pass.
 void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording) {
   add_limits(judgement, comparison);
   judgement.flips =
@@ -242,7 +244,7 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
              exact_flips(judgement.reference, judgement.first_time, judgement.last_time));
   judgement.more_flips = judgement.flips.size() >= FlipFinder::most;
   judgement.parts = error_parts(judgement.reference, judgement.course, judgement.has_attitude);
-  // If the parts are larger than the whole, the phase was lost on the way.
+  // If the parts are larger than the whole, the phase was lost.
   constexpr double much_larger = 1.5;
   const double whole = judgement.rates ? judgement.rates->max : 0;
   if (judgement.parts && judgement.rates && judgement.parts->amplitude_rate > much_larger * whole) {
@@ -259,9 +261,9 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
   constexpr double suspicious = 1e-3;
   if (judgement.within_noise || relative_error(judgement) < suspicious) return;
   require_one_unit(recording.file, recording.convention, judgement.reference.body.inertia());
-  judgement.misfit =
-      misfit(judgement.reference.body.inertia(), telling_rows(recording.file, recording.convention),
-             judgement.has_rates, judgement.has_attitude);
+  judgement.misfit = misfit(judgement.reference.body.inertia(),
+                            informative_rows(recording.file, recording.convention),
+                            judgement.has_rates, judgement.has_attitude);
 }
 
 }  // namespace
@@ -274,7 +276,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   std::optional<Fit> fit;
   if (problem.fit) fit = fitted(recording, problem);
   Reference reference = fit ? fit->reference : given_reference(recording, problem);
-  if (problem.frame == FrameFrom::momentum && recording.has_attitude) {
+  if (problem.frame == FrameSource::momentum && recording.has_attitude) {
     turn_to_momentum(reference, recording);
   }
   Comparison comparison(reference, recording.has_rates, recording.has_attitude);
@@ -283,7 +285,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   const bool is_start_alone = comparison.rows() == 1 && comparison.first_time() == reference.start;
   if (comparison.rows() < enough || is_start_alone) {
     throw CheckError(file.string(),
-                     fmt::format("has {} {}, too few to tell a motion", comparison.rows(),
+                     fmt::format("has {} {}, too few to determine a motion", comparison.rows(),
                                  comparison.rows() == 1 ? "row" : "rows"),
                      CheckError::Reason::one_row);
   }

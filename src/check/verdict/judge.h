@@ -21,20 +21,20 @@ namespace twrench::check {
 
 /// One unit of the last digit of a file's numbers, in our units.
 struct LastDigits {
-  double rate = 0;              ///< rad/s: of what is printed, or, where that is more, of the noise
-  double attitude = 0;          ///< rad; likewise
-  Resolution time = {};         ///< of the times, s
-  double printed_rate = 0;      ///< rad/s, of what is printed
+  double rate = 0;          ///< rad/s: of the printed numbers, or of the noise if that is larger
+  double attitude = 0;      ///< rad; likewise
+  Resolution time = {};     ///< of the times, s
+  double printed_rate = 0;  ///< rad/s, of the printed numbers
   double printed_attitude = 0;  ///< rad, likewise
 };
 
-/// Standard deviations of errors that are independent from row to row; 0 where there are none.
+/// Standard deviations of errors that are independent from row to row; 0 if there are none.
 struct Noise {
-  double rate = 0;      ///< of the component of the rates that has most, rad/s
+  double rate = 0;      ///< of the noisiest component of the rates, rad/s
   double attitude = 0;  ///< likewise, rad
 };
 
-/// What is found of a recorded trajectory. Times are as the file counts them, s.
+/// The findings about a recorded trajectory. Times are in s on the file's clock.
 struct Judgement {
   Convention convention;
   bool has_rates = false, has_attitude = false;
@@ -42,12 +42,12 @@ struct Judgement {
   std::size_t rows = 0;
   double first_time = 0, last_time = 0;
 
-  Reference reference;          ///< what it is held against
+  Reference reference;          ///< the exact motion that it is compared with
   bool is_start_given = false;  ///< rather than taken from the rows
   std::optional<Fit> fit = {};
 
   std::optional<ErrorSize> rates = {}, attitude = {};  ///< rad/s and rad
-  double first_rate_error = 0;  ///< of the first row: largest of the components, rad/s
+  double first_rate_error = 0;  ///< largest component of the first row's error, rad/s
   double energy_drift = 0;
   std::optional<double> momentum_drift = {};       ///< of |L|, relative
   std::optional<double> direction_drift = {};      ///< of L in space, rad
@@ -56,10 +56,10 @@ struct Judgement {
   std::optional<double> momentum_error = {};       ///< likewise
 
   std::vector<Flip> flips = {};
-  bool more_flips = false;  ///< than are kept
+  bool more_flips = false;  ///< whether there are more than are kept
   std::optional<ErrorParts> parts = {};
 
-  Growth growth = {};  ///< of an initial error until the last row
+  Growth growth = {};  ///< of an initial error up to the last row
   LastDigits digits = {};
   Resolution rate_resolution = {}, attitude_resolution = {};
   double rate_limit = 0;       ///< the resolution limit at the last row, rad/s
@@ -69,21 +69,21 @@ struct Judgement {
   bool within_noise = false;  ///< whether the digits and the noise explain all errors
   std::vector<Span> course = {};
 
-  /// Whether the attitude is off by more than all errors of the rates can add up to.
+  /// Whether the attitude error exceeds what all errors of the rates can add up to.
   bool attitude_contradicts_rates = false;
   FrameTurn frame_turn = {};
-  /// Of the first rows, where the errors are large.
+  /// The misfit of the first rows, computed only if the errors are large.
   Misfit misfit = {};
 };
 
-/// Holds a recorded trajectory against the exact motion, in memory that does not grow with the
-/// file. Throws as RowReader does, and CheckError where the initial state is not determined or
-/// cannot be fitted.
+/// Compares a recorded trajectory with the exact motion, in memory that does not grow with the
+/// file. Throws as RowReader does, and CheckError if the initial state is not determined or cannot
+/// be fitted.
 Judgement judge(const std::filesystem::path& file, const Convention& convention,
                 const Problem& problem);
 
-/// Returns the largest error of the rates relative to |omega|, or of the attitude in rad where
-/// there are no rates.
+/// Returns the largest error of the rates relative to |omega|, or of the attitude in rad if there
+/// are no rates.
 double relative_error(const Judgement& judgement);
 
 }  // namespace twrench::check

@@ -6,7 +6,7 @@
 namespace twrench::check {
 namespace {
 
-/// Whether two variances are of one size, given the ratio of deviations that is let pass.
+/// Whether two variances are equal up to the ratio of their standard deviations.
 bool alike(double a, double b, double ratio) {
   return a <= ratio * ratio * b && b <= ratio * ratio * a;
 }
@@ -40,7 +40,7 @@ std::optional<DifferenceSums> DifferenceTable::add(double t, const Eigen::Vector
 
 std::optional<double> noise(const DifferenceSums& all, const DifferenceSums& first_quarter,
                             const DifferenceSums& last_quarter) {
-  constexpr double fewest = 8;  // below, the ratios below tell nothing
+  constexpr double fewest = 8;  // with fewer, the ratios below mean nothing
   if (first_quarter.count < fewest || last_quarter.count < fewest) return std::nullopt;
   Eigen::Index most = 0;
   const double variance = (all.sixth / all.count).maxCoeff(&most);

@@ -7,8 +7,8 @@
 
 namespace twrench::check {
 
-/// Squares of the fourth and sixth differences of a sequence, component by component, each scaled
-/// so that its mean is the variance where neighbours are independent.
+/// Sums of the squared fourth and sixth differences of a sequence, component by component. They are
+/// scaled so that their means are the variance if neighbours are independent.
 struct DifferenceSums {
   Eigen::Array3d fourth = Eigen::Array3d::Zero();
   Eigen::Array3d sixth = Eigen::Array3d::Zero();
@@ -17,12 +17,13 @@ struct DifferenceSums {
   void add(const DifferenceSums& other);
 };
 
-/// Takes a sequence apart into what is smooth and what changes from row to row: rounding to the
-/// digits that a program really has, which may be fewer than it prints. Higher differences remove
-/// the smooth part (More and Wild, Estimating computational noise, SIAM J. Sci. Comput. 33, 2011).
+/// Separates a sequence into a smooth part and a part that is independent from row to row, such as
+/// the rounding to the digits that a program really has, which may be fewer than it prints. Higher
+/// differences remove the smooth part (More and Wild, Estimating computational noise, SIAM J. Sci.
+/// Comput. 33, 2011).
 class DifferenceTable {
  public:
-  /// Takes the next element, at time t in s. Returns nothing until there are seven that are equally
+  /// Adds the next element, at time t in s. Returns nothing unless the last seven are equally
   /// spaced.
   std::optional<DifferenceSums> add(double t, const Eigen::Vector3d& value);
 
@@ -32,9 +33,10 @@ class DifferenceTable {
   std::size_t count_ = 0;
 };
 
-/// Returns the standard deviation of independent noise in the component that has most, given the
-/// sums of a whole sequence and of its first and last quarters. Nothing where what is not smooth is
-/// not independent from row to row, or grows: that is an error and no rounding.
+/// Returns the standard deviation of independent noise in the noisiest component, given the sums of
+/// a whole sequence and of its first and last quarters. Returns nothing if there are too few rows,
+/// or if the part that is not smooth is correlated from row to row or changes in size: that is an
+/// error rather than rounding.
 std::optional<double> noise(const DifferenceSums& all, const DifferenceSums& first_quarter,
                             const DifferenceSums& last_quarter);
 

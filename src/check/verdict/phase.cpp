@@ -13,8 +13,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Follows, from row to row, the time at which the exact motion has the direction of a row's
-/// momentum in the body. The direction does not know how large the momentum is.
+/// Tracks, from row to row, the time at which the exact motion has the same direction of the
+/// momentum in the body as the row. The direction does not depend on the magnitude of the momentum.
 class Delay {
  public:
   explicit Delay(const Reference& reference)
@@ -27,8 +27,8 @@ class Delay {
   /// The rate at which the direction moves at t, 1/s.
   double speed(double t) const { return velocity(exact_.at(t - start_).omega).norm(); }
 
-  /// Returns the delay in s at time t; that of the row before where the motion is slower than
-  /// `slowest`, 1/s, and so does not tell.
+  /// Returns the delay in s at time t. If the direction moves slower than `slowest`, 1/s, it does
+  /// not determine the delay, and that of the previous row is returned.
   double follow(double t, const Vector3d& omega, double slowest) {
     const Vector3d direction = (body_.inertia() * omega).normalized();
     double shift = 0;
@@ -42,7 +42,7 @@ class Delay {
     return delay_ += std::clamp(shift, -longest_, longest_);
   }
 
-  /// The exact motion at t, and at the time for which the row is late.
+  /// The exact motion at t minus the delay, and at t.
   motion::Sample delayed(double t) const { return exact_.at(t - start_ - delay_); }
   motion::Sample exact(double t) const { return exact_.at(t - start_); }
 
@@ -74,7 +74,8 @@ Twist twist(const Matrix3d& R, const Vector3d& n) {
           std::atan2(n.cross(turned).norm(), n.dot(turned))};
 }
 
-/// The last row of a span, and the exact motion then and at the time that it is late for.
+/// Updates the parts with the last row of a span, by the exact motion at its time and at the time
+/// minus the delay.
 void add_row(ErrorParts& parts, const Reference& reference, const Delay& delay, const Row& row,
              bool has_attitude) {
   const motion::Sample exact = delay.exact(row.t), delayed = delay.delayed(row.t);

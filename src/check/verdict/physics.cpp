@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 
 double angle(const Matrix3d& R) { return so3::log(R).norm(); }
 
-/// By how much a prediction misses, and how much changes: in the rows or in the prediction,
-/// whichever is more, so that what should change and does not is a miss too.
+/// The miss of a prediction, and the change in the rows or in the prediction, whichever is larger:
+/// a change that should happen but does not is a miss, too.
 struct Miss {
   double miss, change;
 };
@@ -59,9 +59,9 @@ Miss miss_of_attitude_alone(const Matrix3d& inertia, std::span<const Row> rows, 
 
 using Measure = Miss (*)(const Matrix3d&, std::span<const Row>, std::size_t, std::size_t);
 
-/// The least ratio of the median miss and the median change over strides of 1, 2, 4 ... rows, which
-/// the measure takes `reach` times, from at most `most` of the rows for each stride. Nothing where
-/// less than `least_change` changes at all strides.
+/// The least ratio of the median miss to the median change over strides of 1, 2, 4 ... rows. The
+/// measure uses rows up to `reach` strides ahead of at most `most` rows for each stride. Returns
+/// nothing if the change is below `least_change` at all strides.
 std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> rows,
                                   Measure measure, std::size_t reach, double least_change,
                                   std::size_t most) {
@@ -84,7 +84,7 @@ std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> 
   return least;
 }
 
-/// Changes below this tell nothing, as a part of |omega| or in rad.
+/// Smaller changes, relative to |omega| or in rad, are not informative.
 constexpr double too_small = 1e-6;
 
 double largest_speed(std::span<const Row> rows) {
@@ -93,7 +93,7 @@ double largest_speed(std::span<const Row> rows) {
   return speed;
 }
 
-/// Whether the rates change by a small part of what they should.
+/// Whether the rates change by only a small part of what they should.
 bool constant_rates(const Matrix3d& inertia, std::span<const Row> rows) {
   const motion::ExactMotion exact({inertia, rows[0].omega});
   double found = 0, expected = 0;
@@ -112,7 +112,7 @@ std::optional<double> Misfit::worst() const {
 }
 
 bool Misfit::fits() const {
-  constexpr double follows = 0.2;  // a first-order method at 0.2 rad a row
+  constexpr double follows = 0.2;  // a first-order method at 0.2 rad per row
   return worst().value_or(0) < follows;
 }
 

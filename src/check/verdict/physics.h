@@ -9,31 +9,31 @@
 
 namespace twrench::check {
 
-/// How rows contradict the motion of a free body with some inertia: by how much the exact motion
-/// from one row misses a later one, relative to how much changes between them. Near 0 where they
-/// follow it, however inexactly; about 1 or more where they follow another law, or are read in
+/// How strongly rows contradict the motion of a free body with some inertia: by how much the exact
+/// motion from one row misses a later one, relative to the change between them. Near 0 if they
+/// follow it, however inaccurately; about 1 or more if they follow another law, or are read in
 /// another unit or frame than they were written in.
 struct Misfit {
-  std::optional<double> rates;     ///< absent where there are none, or where nothing changes
-  std::optional<double> attitude;  ///< absent likewise; against the rates, where there are any
+  std::optional<double> rates;     ///< absent if there are none, or if nothing changes
+  std::optional<double> attitude;  ///< absent likewise; against the rates, if there are any
 
-  /// Whether the rates hardly change although they should: those of a program that leaves the
-  /// gyroscopic term of Euler's equations out.
+  /// Whether the rates hardly change although they should, as in a program that omits the
+  /// gyroscopic term of Euler's equations.
   bool constant_rates = false;
 
-  /// The larger of the two; nothing where neither tells anything.
+  /// The larger of the two; nothing if both are absent.
   std::optional<double> worst() const;
-  /// Whether the rows follow the motion; also if nothing can be tested.
+  /// Whether the rows follow the motion; true if nothing can be tested.
   bool fits() const;
 };
 
-/// Compares rows in order of time, of which some tens to hundreds suffice. Between them it takes
-/// the intervals that tell most: short ones lose against rounded digits, long ones against the
-/// errors of whatever computed them.
+/// Compares rows in order of time; some tens to hundreds suffice. Uses the interval between rows
+/// with the least misfit, because short intervals suffer from rounded digits, and long ones from
+/// the errors of the program that computed the rows.
 Misfit misfit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
               bool has_attitude);
 
-/// Misfit::rates alone, from at most so many pairs of rows for each interval.
+/// Misfit::rates alone, from at most `most_pairs` pairs of rows for each interval.
 std::optional<double> misfit_of_rates(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
                                       std::size_t most_pairs);
 

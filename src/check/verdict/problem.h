@@ -7,30 +7,31 @@
 
 namespace twrench::check {
 
-/// From what a file's space frame is found, which is its own: X_file = R X_exact.
-enum class FrameFrom {
+/// How the space frame of a file is found. It differs from that of the exact motion by a rotation:
+/// X_file = R X_exact.
+enum class FrameSource {
   first,     ///< the attitude of the first row
   momentum,  ///< the mean direction of L over all rows; the angle about L is that of the first row
 };
 
-/// What a recorded trajectory is held against.
+/// The motion that a recorded trajectory is compared with.
 struct Problem {
-  /// Body axes, positive definite; in any unit, for only its ratios matter to the motion.
+  /// Body axes, positive definite, in any unit, because the motion depends only on the ratios.
   Eigen::Matrix3d inertia;
-  /// At `omega_time`, body axes, rad/s. Absent: that of the first row, at its time. With `fit` it
-  /// is where the fit begins.
+  /// At `omega_time`, body axes, rad/s. If absent, that of the first row at its time. With `fit`,
+  /// the start of the fit.
   std::optional<Eigen::Vector3d> omega = {};
-  /// On the file's clock, s. Absent: that of the first row.
+  /// On the file's clock, s. If absent, that of the first row.
   std::optional<double> omega_time = 0;
   /// Whether the initial state is fitted to all rows by least squares.
   bool fit = false;
-  FrameFrom frame = FrameFrom::first;
+  FrameSource frame = FrameSource::first;
 };
 
 /// The exact motion on the clock and in the space frame of a file.
 struct Reference {
   motion::FreeBody body;                                ///< with omega at `start`
-  double start = 0;                                     ///< s, as the file counts
+  double start = 0;                                     ///< s, on the file's clock
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  ///< R above, with X_exact(start) = Id
 };
 

@@ -14,10 +14,10 @@
 namespace twrench::check {
 namespace {
 
-/// A positive quantity that one unit keeps about constant.
+/// A positive quantity that is roughly constant as long as its unit is.
 class Level {
  public:
-  /// `leap` is the least factor between units, `spread` the most between rows of one unit.
+  /// `leap` is the least factor between units, `spread` the largest between rows of the same unit.
   Level(double leap, double spread) : leap_(leap), spread_(spread) {}
 
   void add(double value, const std::string& place) {
@@ -30,7 +30,7 @@ class Level {
     } else if (leaps && !place_.empty()) {
       after_ = value;
     } else if (leaps) {
-      // Between the last time in one unit and the first in another is neither's interval.
+      // The interval between the last time in one unit and the first in another belongs to neither.
       place_ = place;
     } else {
       place_.clear();
@@ -39,7 +39,8 @@ class Level {
     }
   }
 
-  /// The factor by which it is another from the place on; nothing where it is not, or not for long.
+  /// The factor by which the quantity changes at place(); nothing if it does not change, or not for
+  /// long.
   std::optional<double> factor() const {
     constexpr int few_rows = 3;
     if (!after_ || !stays_ || rows_before_ < few_rows || rows_after_ < few_rows)
@@ -71,7 +72,7 @@ bool is_between_units(double factor, std::span<const Name> units, double Name::*
 
 table::BadTable unit_change(const Level& level, const char* what, const char* remedy) {
   return {level.place(),
-          fmt::format("from this row on {} is {:.4g} times what it was before: its unit changes",
+          fmt::format("from this row on, {} is {:.4g} times as large as before: its unit changes",
                       what, *level.factor()),
           remedy};
 }
@@ -80,7 +81,7 @@ table::BadTable unit_change(const Level& level, const char* what, const char* re
 
 void require_one_unit(const std::filesystem::path& file, const Convention& convention,
                       const Eigen::Matrix3d& inertia) {
-  // Degrees are 57 radians, revolutions 6.3; a minute has 60 s. Errors change |L| slowly.
+  // A radian is 57 degrees, a revolution 6.3 radians, and a minute 60 s. Errors change |L| slowly.
   Level momentum(4, 1.5), interval(30, 3);
   RowReader reader(file, convention);
   Row row;

@@ -7,9 +7,9 @@
 
 namespace twrench::check {
 
-/// Throws table::BadTable about the row from which on |L|, which a free body keeps, or the time
-/// between rows is another by a factor that units have, and stays so. Otherwise throws as RowReader
-/// does.
+/// Throws table::BadTable if |L|, which a free body conserves, or the time between rows changes by
+/// the ratio of two units and stays changed; the error names the row where that begins. Otherwise
+/// throws as RowReader does.
 void require_one_unit(const std::filesystem::path& file, const Convention& convention,
                       const Eigen::Matrix3d& inertia);
 

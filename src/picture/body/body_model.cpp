@@ -65,9 +65,14 @@ BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius
                      std::vector<Material> materials, const Studio& studio) {
   std::vector<PartModel> models = part_models(parts, mesh, radius);
   const std::size_t occluders = most_occluders(models);
+  PartIntersections intersections = find_intersections(mesh, models);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (mesh.sides[i] && !intersections[i].empty()) mesh.sides[i]->most_merged = 1;
+  }
   return {.mesh = std::move(mesh),
           .radius = radius,
           .parts = std::move(models),
+          .intersections = std::move(intersections),
           .materials = std::move(materials),
           .is_marked = axis_of_revolution(parts).has_value(),
           .occluder_count = occluders,

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "picture/body/intersections.h"
 #include "picture/body/mesh.h"
 #include "picture/body/occluders.h"
 #include "picture/body/revolution.h"
@@ -52,8 +53,10 @@ struct BodyModel {
   Mesh mesh;
   /// Bounding radius of the parts about the origin, cm.
   double radius;
-  /// In the order of the mesh's.
+  /// The parts, in the order of the mesh's.
   std::vector<PartModel> parts;
+  /// Edges along which the parts enter each other.
+  PartIntersections intersections;
   /// The material of each part.
   std::vector<Material> materials;
   /// Whether a stripe shows how a body of revolution turns.

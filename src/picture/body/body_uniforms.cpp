@@ -12,8 +12,8 @@ using Eigen::Matrix3d;
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-/// Returns the matrix that transforms normals with the surface: the cofactor matrix, which for a
-/// rotation is the rotation itself, and which is correct for a pose that has left SO(3) too.
+/// Returns the matrix that transforms normals with the surface: the cofactor matrix. For a rotation
+/// it is the rotation itself; it is also correct for a pose that has left SO(3).
 Matrix3d normal_matrix(const Matrix3d& m) {
   Matrix3d cofactors;
   cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));

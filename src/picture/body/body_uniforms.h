@@ -23,8 +23,8 @@ struct StageUniforms {
 /// Returns the uniforms for a body of that bounding radius in cm, in the pose X, space_from_body.
 StageUniforms stage_uniforms(const Camera& camera, const Eigen::Matrix3d& X, double radius);
 
-/// The same for its image in a horizontal mirror at y = `height` cm in space, below the camera: the
-/// body stays in its light, and the camera sees a mirrored stage.
+/// The same for the body's image in a horizontal mirror at y = `height` cm in space, below the
+/// camera. The body keeps its lighting, and the camera sees a mirrored stage.
 StageUniforms mirrored_stage_uniforms(const Camera& camera, const Eigen::Matrix3d& X, double radius,
                                       double height);
 
@@ -37,8 +37,8 @@ struct OccluderUniforms {
   std::vector<glm::vec4> from, to, tint;
 };
 
-/// Returns those of a part, as many as the body's occluder_count. Occluders that meet the part
-/// shade it smoothly if `smooth`.
+/// Returns the uniforms of a part, with as many elements as the body's occluder_count. If `smooth`,
+/// occluders that meet the part shade it smoothly.
 OccluderUniforms occluder_uniforms(const BodyModel& body, const PartModel& part,
                                    const Camera& camera, const Eigen::Matrix3d& X, bool smooth);
 

@@ -6,8 +6,8 @@
 
 namespace twrench::picture {
 
-/// Returns a bounding radius in cm of the parts about the origin: the smallest one, except for an
-/// ellipsoid that is neither a sphere nor at the origin, for which it may be larger.
+/// Returns a bounding radius in cm of the parts about the origin. It is the smallest one, but may
+/// be larger for an ellipsoid that is neither a sphere nor at the origin.
 double bounding_radius(std::span<const body::Part> parts);
 
 }  // namespace twrench::picture

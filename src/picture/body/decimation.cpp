@@ -16,7 +16,7 @@ constexpr float color_tolerance = 0.02F;   // of linear light
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// How far the surface has moved away from the given one near a vertex.
+/// How far the surface deviates from the given one near a vertex.
 struct Deviation {
   float distance = 0, normal = 0, color = 0;  ///< cm, rad, linear light
 
@@ -30,7 +30,7 @@ struct Deviation {
   }
 };
 
-/// A triangle as seen from a point: where the point's projection on its plane lies.
+/// A point's projection on the plane of a triangle.
 struct Projection {
   glm::vec3 shares;  ///< Barycentric coordinates; all positive inside.
   float distance;    ///< From the plane, unsigned.
@@ -56,7 +56,7 @@ class Decimator {
 
   void run() {
     constexpr int most_turns = 16;
-    constexpr std::size_t least_share = 32;  // of the vertices, below which a turn is not worth it
+    constexpr std::size_t least_share = 32;  // a turn that removes less than 1 / 32 is the last
     for (int turn = 0; turn < most_turns; ++turn) {
       const std::size_t before = triangles_.size();
       take_turn();
@@ -72,7 +72,7 @@ class Decimator {
     float cost;
   };
 
-  /// Removes vertices no two of which are adjacent.
+  /// Removes vertices of which no two are adjacent.
   void take_turn();
   void collect_fans();
   std::span<const std::uint32_t> fan(std::uint32_t vertex) const {
@@ -90,13 +90,13 @@ class Decimator {
 
   Mesh& mesh_;
   float tolerance_;
-  std::vector<Deviation> deviations_;  ///< Of each vertex.
+  std::vector<Deviation> deviations_;  ///< For each vertex.
   std::vector<Corners> triangles_;
-  std::vector<std::uint32_t> fans_;  ///< The triangles around each vertex,
+  std::vector<std::uint32_t> fans_;  ///< Triangles around each vertex, vertex by vertex.
   std::vector<std::uint32_t> fan_begins_;
-  std::vector<char> is_touched_;           ///< whose triangles have changed in this turn.
-  std::vector<std::uint32_t> neighbours_;  ///< Of the vertex in question.
-  std::vector<std::uint32_t> others_;      ///< Of a neighbour.
+  std::vector<char> is_touched_;  ///< Whether triangles of a vertex have changed in this turn.
+  std::vector<std::uint32_t> neighbours_;  ///< Neighbours of the vertex that may be removed.
+  std::vector<std::uint32_t> others_;      ///< Neighbours of one of these.
 };
 
 void Decimator::collect_fans() {
@@ -112,7 +112,7 @@ void Decimator::collect_fans() {
   }
 }
 
-/// Returns whether triangles surround the vertex, each neighbour being in two of them.
+/// Returns whether triangles surround the vertex; each neighbour must be in two of them.
 bool Decimator::collect_neighbours(std::uint32_t vertex) {
   constexpr std::size_t most = 16;  // beyond, collapsing is slow and makes slivers
   neighbours_.clear();
@@ -142,7 +142,7 @@ void Decimator::take_turn() {
   std::erase_if(triangles_, [](const Corners& corners) { return corners[0] == corners[1]; });
 }
 
-/// Tries the nearest neighbours.
+/// Returns the cheapest collapse into one of the nearest neighbours.
 std::optional<Decimator::Collapse> Decimator::best_collapse(std::uint32_t vertex) {
   std::ranges::sort(neighbours_, {}, [&](std::uint32_t i) {
     return glm::dot(place(i) - place(vertex), place(i) - place(vertex));
@@ -157,7 +157,8 @@ std::optional<Decimator::Collapse> Decimator::best_collapse(std::uint32_t vertex
   return best && keeps_topology(vertex, best->target) ? best : std::nullopt;
 }
 
-/// Whether the two have only those two neighbours in common that their two triangles have.
+/// Returns whether the only common neighbours of the two vertices are those in their two common
+/// triangles.
 bool Decimator::keeps_topology(std::uint32_t vertex, std::uint32_t target) {
   others_.clear();
   for (const std::uint32_t triangle : fan(target)) {
@@ -185,7 +186,7 @@ Deviation Decimator::deviation_at(std::uint32_t vertex, const Corners& corners,
   return {projection.distance, turn, tint};
 }
 
-/// Returns what moving `vertex` into `target` does; nothing if the surface would fold, have
+/// Returns the effect of moving `vertex` into `target`; nothing if the surface would fold, have
 /// slivers, or deviate too far.
 std::optional<Decimator::Collapse> Decimator::collapse(std::uint32_t vertex,
                                                        std::uint32_t target) const {
@@ -236,7 +237,7 @@ void Decimator::apply(std::uint32_t vertex, const Collapse& collapse) {
   }
 }
 
-/// Writes the triangles that are left, and the vertices that they use.
+/// Writes the remaining triangles and the vertices that they use.
 void Decimator::finish() {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(mesh_.vertices.size(), unused);
@@ -260,8 +261,8 @@ void Decimator::finish() {
 }  // namespace
 
 void decimate(Mesh& mesh, double tolerance) {
-  // The vertices that go are not above one another: on a sphere the sum of what each deviates is
-  // three times the deviation.
+  // The removed vertices do not lie above one another: on a sphere the sum of their deviations is
+  // three times the actual deviation.
   constexpr double overestimate = 3;
   if (tolerance > 0) Decimator(mesh, static_cast<float>(overestimate * tolerance)).run();
 }

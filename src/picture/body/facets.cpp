@@ -22,15 +22,13 @@ class SideFacets {
     while (is_seen(end)) ++end;
     for (std::uint32_t at = first; at < end;) {
       const std::uint32_t from_outline = std::min(at - first, (end - at) / 2);
-      const std::uint32_t next = at + std::clamp(from_outline, 1U, widest);
+      const std::uint32_t next = at + std::clamp(from_outline, 1U, side_.most_merged);
       add(at, next);
       at = next;
     }
   }
 
  private:
-  static constexpr std::uint32_t widest = 4;
-
   std::uint32_t low(std::uint32_t i) const { return side_.low + i % side_.count; }
   std::uint32_t high(std::uint32_t i) const { return side_.high + i % side_.count; }
 

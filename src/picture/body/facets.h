@@ -22,13 +22,14 @@ struct Facets {
   double depth = 0;
 };
 
-/// Returns the visible facets of the mesh as seen from `eye` (cm, body axes), merged to fewer
-/// triangles, because a software rasteriser pays for whole blocks of pixels along each edge. On the
-/// side of a cylinder up to four strips are merged into one, fewer close to the silhouette, which
-/// is unchanged; strips that face away are omitted. The visible surface has no gaps. A wide facet
-/// lies deep inside the cylinder, but the shader computes the shading from the exact cylinder. Of a
-/// part that is given by triangles, those that face the eye, as `faces_eye` says of each triangle,
-/// are returned cluster by cluster, the nearest first: what they hide is then not shaded.
+/// Returns the visible facets of the mesh as seen from `eye` (cm, body axes). They are merged into
+/// fewer triangles, because a software rasteriser pays for whole blocks of pixels along each edge.
+/// On the side of a cylinder, up to four strips are merged into one, and fewer close to the
+/// silhouette, which is unchanged; strips that face away are omitted. The visible surface has no
+/// gaps. A wide facet lies deep inside the cylinder, but the shader computes the shading from the
+/// exact cylinder. If a part is given by triangles, those that face the eye (`faces_eye`, one value
+/// per triangle) are returned cluster by cluster, the nearest first: triangles that they hide are
+/// then not shaded.
 Facets visible_facets(const Mesh& mesh, const glm::vec3& eye, std::span<const char> faces_eye);
 
 }  // namespace twrench::picture

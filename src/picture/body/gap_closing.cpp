@@ -24,8 +24,9 @@ Vector3d nearest_point(const Middle& middle, const Vector3d& start) {
          std::clamp(start.z(), -half, half) * Vector3d::UnitZ();
 }
 
-/// The distance from `start` along the unit vector `direction` at which it comes closest to the
-/// part's axis, of a solid of revolution that is not parallel to it, or to its middle.
+/// Returns the distance from `start`, along the unit vector `direction`, to the point closest to
+/// the part's middle or, if the part is a solid of revolution that is not parallel to `direction`,
+/// closest to its axis.
 double depth_of_middle(const body::Part& part, const Vector3d& start, const Vector3d& direction) {
   const ShapeTraits traits = traits_of(part.shape);
   const Vector3d local = part.body_from_part.transpose() * (start - part.position);
@@ -41,8 +42,8 @@ double depth_of_middle(const body::Part& part, const Vector3d& start, const Vect
   return to_middle.dot(across);
 }
 
-/// How far the end of `cylinder` towards `direction`, with the centre of its face at `end`, extends
-/// into `other`; nothing if the two do not touch or the longer cylinder would show.
+/// Returns how far the end of a cylinder towards `direction`, with the centre of its face at `end`,
+/// extends into `other`; nothing if the two do not touch or the longer cylinder would be visible.
 std::optional<double> way_into(const body::Part& other, const Vector3d& end,
                                const Vector3d& direction, double radius) {
   const double tolerance = 1e-3 * radius;  // a gap too small to see counts as touching

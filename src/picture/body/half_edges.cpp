@@ -5,11 +5,11 @@
 namespace twrench::picture {
 namespace {
 
-/// A half-edge at the lower-numbered of its ends.
+/// A half-edge, stored at the lower-numbered of its ends.
 struct HalfEdge {
   std::uint32_t other;  ///< The end with the higher number.
   std::uint32_t number;
-  bool upwards;  ///< Whether it leads to that.
+  bool upwards;  ///< Whether it leads to the other end.
 };
 
 /// Half-edges by their lower end: those of corner i from begins[i] to begins[i + 1].
@@ -37,8 +37,8 @@ Buckets by_lower_end(std::span<const std::uint32_t> corners, std::size_t count) 
   return result;
 }
 
-/// Pairs the half-edges between the same two corners. Those that wait for a partner all lead the
-/// same way.
+/// Pairs the half-edges between the same two corners. At any time, all unpaired ones have the same
+/// direction.
 void pair_up(std::span<const HalfEdge> half_edges, std::vector<std::uint32_t>& opposite) {
   std::vector<HalfEdge> waiting;
   std::size_t first = 0;

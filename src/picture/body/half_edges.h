@@ -10,7 +10,7 @@
 
 namespace twrench::picture {
 
-/// Stands for an edge on which no second triangle borders.
+/// Marks an edge without a second triangle.
 inline constexpr std::uint32_t no_half_edge = std::numeric_limits<std::uint32_t>::max();
 
 /// Returns the half-edge that follows in the same triangle. Half-edge 3 t + k leads from corner k
@@ -19,10 +19,10 @@ inline std::uint32_t next_half_edge(std::uint32_t half_edge) {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
-/// Returns for each half-edge of triangles, three corners each, the one between the same corners in
-/// the opposite direction, or `no_half_edge`. Where more than two triangles meet, each is paired
-/// with the earliest that is left. Corners are numbers below `count`; the time is linear, but for
-/// corners in which many triangles meet.
+/// Returns, for each half-edge of triangles with three corners each, the one between the same
+/// corners in the opposite direction, or `no_half_edge`. If more than two triangles meet at an
+/// edge, each half-edge is paired with the earliest unpaired one. Corners are numbers below
+/// `count`. The time is linear, except for corners in which many triangles meet.
 std::vector<std::uint32_t> opposite_half_edges(std::span<const std::uint32_t> corners,
                                                std::size_t count);
 

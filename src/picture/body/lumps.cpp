@@ -84,7 +84,7 @@ std::size_t nearest(std::span<const Vector3d> centres, const Vector3d& point) {
   return best;
 }
 
-/// Each further one is the sample that is farthest from all before.
+/// Returns the first sample and then, repeatedly, the one that is farthest from all before.
 std::vector<Vector3d> first_centres(std::span<const SurfaceSample> samples) {
   std::vector<Vector3d> centres{samples.front().position};
   while (centres.size() < lump_count) {
@@ -117,7 +117,8 @@ Pieces pieces_of(std::span<const SurfaceSample> samples) {
   return pieces;
 }
 
-/// The half sizes of the piece are those of a box about it along its principal axes.
+/// Returns a capsule along the piece's longest principal axis, from the half sizes of a box about
+/// the piece along these axes.
 Capsule capsule_about(std::span<const SurfaceSample> piece) {
   Vector3d middle = Vector3d::Zero(), normal = Vector3d::Zero();
   for (const SurfaceSample& sample : piece) middle += sample.position, normal += sample.normal;

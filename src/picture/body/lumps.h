@@ -8,9 +8,9 @@
 
 namespace twrench::picture {
 
-/// Returns capsules that together approximate a part of any shape: its surface in pieces of about
-/// the same size (Lloyd's k-means), and about each piece a capsule along that's longest axis, or
-/// below a piece that is flat.
+/// Returns capsules that together approximate a part of any shape. The surface is divided into
+/// pieces of about the same size (Lloyd's k-means). Each piece gets a capsule along its longest
+/// axis, or below the piece if it is flat.
 std::vector<Capsule> lumps(const body::Part& part);
 
 }  // namespace twrench::picture

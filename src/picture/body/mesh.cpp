@@ -120,7 +120,7 @@ void append(Mesh& all, const Mesh& mesh) {
   }
 }
 
-/// Turns a shape of whichever kind into its mesh.
+/// Converts a shape of any kind to its mesh.
 struct PartMesher {
   const body::Part& part;
   double tolerance, crease_angle;

@@ -26,6 +26,9 @@ struct CylinderSide {
   std::uint32_t count;      ///< Number of vertices of a ring, and of strips.
   std::size_t begin;        ///< In indices; from here to the end of its part.
   double bevel;             ///< Radius of the rounded rims, cm; 0 for a capsule.
+  /// How many strips one facet may replace: 1 if other parts enter the side. A wide facet lies
+  /// below the side, and they would enter it elsewhere.
+  std::uint32_t most_merged = 4;
 };
 
 /// Triangles of a part that lie close together.
@@ -38,8 +41,8 @@ struct Cluster {
 struct Mesh {
   /// Vertices of all triangles.
   std::vector<Vertex> vertices;
-  /// Linear colours of the vertices, 0 to 1; empty if no part has colours of its own. Those of the
-  /// other parts' vertices are black.
+  /// Linear colours of the vertices, 0 to 1; empty if no part has vertex colours. Vertices of parts
+  /// without vertex colours are black.
   std::vector<glm::vec3> colors;
   /// Three per triangle.
   std::vector<std::uint32_t> indices;
@@ -47,12 +50,12 @@ struct Mesh {
   std::vector<std::size_t> vertex_ends;
   /// In indices, the end of each part.
   std::vector<std::size_t> part_ends;
-  /// For each part its side, if it has that of a cylinder.
+  /// For each part, its side if it has the side of a cylinder.
   std::vector<std::optional<CylinderSide>> sides;
   /// For each part, its clusters if it is given by triangles: such a part may have creases, where
   /// there are several vertices with different normals in one place, and hollows.
   std::vector<std::vector<Cluster>> clusters;
-  /// For each part, whether its vertices have colours of their own.
+  /// For each part, whether it has vertex colours.
   std::vector<char> is_colored;
 };
 
@@ -60,17 +63,17 @@ struct Mesh {
 /// of boxes have a small rounded bevel to catch a highlight: 4 % (boxes: 8 %) of the smallest half
 /// dimension, or 12 tolerances but at most 12 %, because a narrower line would look dashed. All
 /// other vertices lie on the exact shape, and the facets between them deviate from it by at most
-/// `tolerance` cm. Much finer facets are expensive: thin triangles rasterise poorly. A mesh has its
-/// own triangles, see triangle_surface(), smooth where adjacent ones meet at no more than
-/// `crease_angle` rad.
+/// `tolerance` cm. Much finer facets are expensive: thin triangles rasterise poorly. A body::Mesh
+/// has its own triangles, see triangle_surface(). They are smooth where adjacent ones meet at no
+/// more than `crease_angle` rad.
 Mesh part_mesh(const body::Part& part, double tolerance,
                double crease_angle = scene::PartLook().crease_angle);
 
 /// Returns the surface of a part in body axes whose shape has these rings.
 Mesh surface_of_rings(const body::Part& part, const Rings& surface);
 
-/// Returns the meshes of all parts merged into one. `looks` are those of the parts, in their order,
-/// as far as they are given.
+/// Returns the meshes of all parts merged into one. `looks` are the looks of the first parts, in
+/// order; the other parts have the default look.
 Mesh body_mesh(std::span<const body::Part> parts, double tolerance,
                std::span<const scene::PartLook> looks = {});
 

@@ -16,7 +16,7 @@ struct Capsule {
   double radius;
   /// Whether it is a cylinder that touches the part it occludes and is drawn before it.
   bool meets = false;
-  /// The index of the part that it stands for.
+  /// The index of the part that it approximates.
   std::size_t part = 0;
 };
 

@@ -57,7 +57,7 @@ AcrossFromBody across_all(std::span<const body::Part> parts, const Vector3d& axi
   return across_axis(frame, Vector3d::Zero(), radius);
 }
 
-/// The axis about which all parts turn into themselves.
+/// Returns the axis about which all parts are symmetric.
 std::optional<Vector3d> common_axis(std::span<const body::Part> parts,
                                     std::span<const Vector3d> symmetries) {
   std::vector<Vector3d> candidates;

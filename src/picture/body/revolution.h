@@ -11,17 +11,17 @@
 
 namespace twrench::picture {
 
-/// Returns the axis of a body of revolution, which goes through the origin, as a unit vector in
-/// body axes; for a sphere, its own z axis. Nothing for a body that is not one: how far it has
-/// turned is visible.
+/// Returns the axis of a body of revolution, which passes through the origin, as a unit vector in
+/// body axes; for a sphere, its own z axis. Returns nothing for other bodies, whose rotation is
+/// visible.
 std::optional<Eigen::Vector3d> axis_of_revolution(std::span<const body::Part> parts);
 
 /// The rows of the matrix that maps (position, 1) in body axes, cm, to the position across an axis.
 using AcrossFromBody = std::array<glm::vec4, 2>;
 
-/// Returns for each part the position across the axis of a body of revolution, which all parts
-/// share, in units of the body's largest radius about it, or else across the own axis of a
-/// shape of revolution, in its radii; 0 for other shapes.
+/// Returns for each part the position across an axis. For a body of revolution, this is the common
+/// axis of all parts, in units of the body's largest radius about it. Otherwise it is the
+/// own axis of each shape of revolution, in units of the shape's radius; 0 for other shapes.
 std::vector<AcrossFromBody> across_from_body(std::span<const body::Part> parts);
 
 }  // namespace twrench::picture

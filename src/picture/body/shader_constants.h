@@ -7,9 +7,9 @@
 
 namespace twrench::picture {
 
-/// GLSL: what the body is made of and the studio's lights, as constants. They are the same in every
-/// frame, and a software rasteriser pays for each uniform at every pixel: as constants the lights
-/// cost a third (docs/performance-notes.md).
+/// Returns GLSL constants for the body's material and the studio's lights. They are the same in
+/// every frame, and a software rasteriser pays for each uniform at every pixel: as constants the
+/// lights cost a third (docs/performance-notes.md).
 std::string shader_constants(const Material& material, const Studio& studio);
 
 }  // namespace twrench::picture

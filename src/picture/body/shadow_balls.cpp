@@ -7,7 +7,7 @@
 namespace twrench::picture {
 
 std::vector<Ball> shadow_balls(const Capsule& capsule) {
-  // Between the spheres of a capsule: the shadow of a wire is invisible.
+  // Limits the number of gaps between spheres: the shadow of a wire is invisible anyway.
   constexpr double most_gaps = 60;
   const Eigen::Vector3d along = capsule.to - capsule.from;
   const double apart = std::numbers::pi / 2 * capsule.radius;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "picture/body/half_edges.h"
 
@@ -23,8 +24,11 @@ std::vector<std::uint32_t> first_at_each_place(std::span<const Vertex> vertices)
 
 }  // namespace
 
-Silhouette::Silhouette(const Mesh& mesh)
-    : vertices_(mesh.vertices), colors_(mesh.colors), corners_(mesh.indices) {
+Silhouette::Silhouette(const Mesh& mesh, PartIntersections intersections)
+    : vertices_(mesh.vertices),
+      colors_(mesh.colors),
+      corners_(mesh.indices),
+      intersections_(std::move(intersections)) {
   first_at_.reserve(vertices_.size());
   add_planes();
   Part begin{};
@@ -57,7 +61,7 @@ void Silhouette::add_planes() {
   faces_eye_.resize(planes_.x.size());
 }
 
-/// The edges of a part; those in smooth hollows are left out.
+/// Adds the edges of a part, except those in smooth hollows.
 void Silhouette::add_edges(const Part& begin, const Part& part) {
   std::vector<std::uint32_t> places;
   places.reserve(3 * (part.triangle_end - begin.triangle_end));
@@ -81,8 +85,8 @@ glm::vec3 Silhouette::normal_of(std::uint32_t half_edge) const {
   return {planes_.normal_x[triangle], planes_.normal_y[triangle], planes_.normal_z[triangle]};
 }
 
-/// Whether the two triangles face each other: what turns away is then in front of what does not,
-/// and the edge is hidden wherever it is on the silhouette.
+/// Returns whether the two triangles face each other. If one of them turns away from the eye, it is
+/// in front of the other, and the edge between them is hidden wherever it is on the silhouette.
 bool Silhouette::is_hollow(std::uint32_t half_edge, std::uint32_t other) const {
   const glm::vec3 normal = normal_of(half_edge);
   const std::uint32_t apex = next_half_edge(next_half_edge(other));
@@ -92,7 +96,7 @@ bool Silhouette::is_hollow(std::uint32_t half_edge, std::uint32_t other) const {
   return glm::dot(normal, across) > round_off * glm::length(normal) * glm::length(across);
 }
 
-/// Whether their shading differs visibly along the edge.
+/// Returns whether the shading differs visibly along the edge.
 bool Silhouette::is_crease(std::uint32_t half_edge, std::uint32_t other) const {
   const glm::vec3 one = normal_of(half_edge), two = normal_of(other);
   constexpr float least_cosine = 0.97F;
@@ -107,18 +111,20 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
   part_ends_.clear();
   on_it_.assign(on_it_.size(), 0);
   Part begin{};
-  for (const Part& part : parts_) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
     find_outline(begin, part);
     if (part.has_creases) {
       point_outward(begin, part, eye);
     } else {
-      for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i].offset = 0;
+      for (std::size_t k = begin.vertex_end; k < part.vertex_end; ++k) shifts_[k].offset = 0;
     }
     for (const Edge& edge : outline_) add_edge_quad(edge);
     for (const Edge& edge : creases_) {
       add_crease_quad(edge.half_edge, eye);
       add_crease_quad(edge.other, eye);
     }
+    for (const IntersectionEdge& edge : intersections_[i]) add_intersection_quad(edge, eye);
     part_ends_.push_back(indices_.size());
     shrink(begin, part, eye, scale);
     begin = part;
@@ -150,8 +156,9 @@ void Silhouette::find_outline(const Part& begin, const Part& part) {
   }
 }
 
-/// At creases normals say nothing of the outline; the planes through its edges and the eye do. Two
-/// edges meet in a mitre.
+/// Sets the directions of the shifts. At creases the normals do not determine the direction of the
+/// outline, so the planes through its edges and the eye are used instead. Two edges meet in a
+/// mitre.
 void Silhouette::point_outward(const Part& begin, const Part& part, const glm::vec3& eye) {
   for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i] = {glm::vec3(0), 0};
   for (const Edge& edge : outline_) {
@@ -163,7 +170,7 @@ void Silhouette::point_outward(const Part& begin, const Part& part, const glm::v
     if (length == 0) continue;
     for (const std::uint32_t end : {from, to}) {
       shifts_[end].direction += outward / length;
-      shifts_[end].offset += 1;  // their number, for the moment
+      shifts_[end].offset += 1;  // temporarily the number of edges
     }
   }
   for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) {
@@ -187,31 +194,55 @@ void Silhouette::add_edge_quad(const Edge& edge) {
   const std::uint32_t from = is_first ? edge.half_edge : next_half_edge(edge.other);
   const std::uint32_t to = is_first ? next_half_edge(edge.half_edge) : edge.other;
   const auto corner = [&](std::uint32_t end, float side) {
-    return quad_vertex(corners_[end], {shifts_[place(end)].direction, side}, std::max(side, 0.0F),
-                       0);
+    EdgeQuadVertex vertex = quad_vertex(corners_[end]);
+    vertex.shift = {shifts_[place(end)].direction, side};
+    vertex.transparency = std::max(side, 0.0F);
+    return vertex;
   };
   add_quad({corner(from, -1), corner(from, 1), corner(to, -1), corner(to, 1)});
 }
 
-/// Lets a triangle fade out beyond one of its edges.
+/// Adds a quad in which a triangle fades out beyond one of its edges.
 void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) {
-  const std::uint32_t from = corners_[half_edge], to = corners_[next_half_edge(half_edge)];
-  const glm::vec3 outward =
-      glm::cross(vertices_[from].position - eye, vertices_[to].position - vertices_[from].position);
+  const EdgeQuadVertex from = quad_vertex(corners_[half_edge]);
+  const EdgeQuadVertex to = quad_vertex(corners_[next_half_edge(half_edge)]);
+  const glm::vec3 outward = glm::cross(from.position - eye, to.position - from.position);
   const float length = glm::length(outward);
   if (length == 0) return;
-  constexpr float lift = 1;  // over the other triangle, where that rises towards the eye
-  const auto corner = [&](std::uint32_t end, float side) {
-    return quad_vertex(end, {outward / length, side}, 0.5F + 0.5F * side, lift);
+  const auto corner = [&](EdgeQuadVertex vertex, float side) {
+    vertex.shift = {outward / length, side};
+    vertex.transparency = 0.5F + 0.5F * side;
+    vertex.lift = 1;  // over the other triangle, where that rises towards the eye
+    return vertex;
   };
   add_quad({corner(from, 0), corner(from, 1), corner(to, 0), corner(to, 1)});
 }
 
-EdgeQuadVertex Silhouette::quad_vertex(std::uint32_t vertex, const Shift& shift, float transparency,
-                                       float lift) const {
+/// Adds a quad that draws the pixel around the edge again, because near a silhouette the shrunk
+/// parts intersect up to half a pixel beside it. The part that is drawn first covers the pixel, and
+/// the other part fades out over it. The edge is hidden if either triangle faces away.
+void Silhouette::add_intersection_quad(const IntersectionEdge& edge, const glm::vec3& eye) {
+  if (faces_eye_[edge.triangle] == 0 || faces_eye_[edge.other] == 0) return;
+  const auto& [from, to] = edge.ends;
+  const glm::vec3 outward = glm::cross(from.position - eye, to.position - from.position);
+  const float length = glm::length(outward);
+  if (length == 0) return;
+  const bool is_first = edge.triangle < edge.other;
+  const auto corner = [&](std::size_t end, float side) {
+    const auto& [position, normal] = edge.ends.at(end);
+    // The shader moves vertices with an offset of 1 to a round outline, which this edge is not.
+    const Shift shift{2.0F * outward / length, 0.5F * side};
+    constexpr float lift = 3;  // over both surfaces, which rise towards the eye
+    return EdgeQuadVertex{
+        position, normal, shift, is_first ? 0.0F : 0.5F + 0.5F * side, lift, edge.colors.at(end)};
+  };
+  add_quad({corner(0, -1), corner(0, 1), corner(1, -1), corner(1, 1)});
+}
+
+EdgeQuadVertex Silhouette::quad_vertex(std::uint32_t vertex) const {
   const auto& [position, normal] = vertices_[vertex];
   const glm::vec3 color = colors_.empty() ? glm::vec3(0) : colors_[vertex];
-  return {position, normal, shift, transparency, lift, color};
+  return {position, normal, {}, 0, 0, color};
 }
 
 void Silhouette::add_quad(const std::array<EdgeQuadVertex, 4>& corners) {
@@ -220,8 +251,8 @@ void Silhouette::add_quad(const std::array<EdgeQuadVertex, 4>& corners) {
   indices_.insert(indices_.end(), {first, first + 1, first + 2, first + 2, first + 1, first + 3});
 }
 
-/// The distance of a vertex inside the silhouette is measured on the screen: along the direction in
-/// which that is moved, without its component along the line of sight.
+/// The distance of a vertex from the silhouette is measured on the screen: along the direction in
+/// which the silhouette is moved, without its component along the line of sight.
 void Silhouette::shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale) {
   for (std::size_t i = 3 * begin.triangle_end; i < 3 * part.triangle_end; i += 3) {
     const std::array places{place(i), place(i + 1), place(i + 2)};

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "picture/body/intersections.h"
 #include "picture/body/mesh.h"
 
 namespace twrench::picture {
@@ -37,26 +38,28 @@ struct EdgeQuadVertex {
 /// gives antialiased edges at the cost of one sample per pixel: the body is shrunk by half a pixel
 /// along its silhouette, and edge quads one pixel wide, whose coverage falls from 1 to 0, are drawn
 /// over it (Sander, Hoppe, Snyder and Gortler, "Discontinuity edge overdraw", I3D 2001). A crease
-/// between two triangles that both face the eye gets two quads of half a pixel, by which each of
-/// them fades out over the other.
+/// between two triangles that both face the eye gets two quads of half a pixel. In each, one
+/// triangle fades out over the other. An edge along which a part enters another one gets a quad of
+/// one pixel on each of the two parts.
 class Silhouette {
  public:
-  explicit Silhouette(const Mesh& mesh);
+  /// The intersections are those of the mesh's parts, see find_intersections().
+  Silhouette(const Mesh& mesh, PartIntersections intersections);
 
   /// Finds the silhouette as seen from `eye` (cm, body axes), where 1 cm is about `scale` pixels.
   void find(const glm::vec3& eye, float scale);
 
   /// Return the edge quads as vertices and indices: two triangles, six indices, per edge of the
-  /// silhouette, and twice that per crease.
+  /// silhouette and per intersection edge, and twice that per crease.
   const std::vector<EdgeQuadVertex>& edge_quads() const { return edge_quads_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
   /// Returns, in indices, the end of the edge quads of each part.
   const std::vector<std::size_t>& part_ends() const { return part_ends_; }
 
-  /// Returns for each vertex of the mesh how it is moved, by -1 on the silhouette, less for
-  /// adjacent vertices within half a pixel of it, where triangles would otherwise fold over, and by
-  /// 0 elsewhere.
+  /// Returns for each vertex of the mesh how it is moved: by -1 on the silhouette, by less for
+  /// adjacent vertices within half a pixel of it (triangles would otherwise fold over), and by 0
+  /// elsewhere.
   const std::vector<Shift>& shifts() const { return shifts_; }
 
   /// Returns for each triangle of the mesh whether it faces the eye.
@@ -88,8 +91,8 @@ class Silhouette {
   void point_outward(const Part& begin, const Part& part, const glm::vec3& eye);
   void add_edge_quad(const Edge& edge);
   void add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye);
-  EdgeQuadVertex quad_vertex(std::uint32_t vertex, const Shift& shift, float transparency,
-                             float lift) const;
+  void add_intersection_quad(const IntersectionEdge& edge, const glm::vec3& eye);
+  EdgeQuadVertex quad_vertex(std::uint32_t vertex) const;
   void add_quad(const std::array<EdgeQuadVertex, 4>& corners);
   void shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale);
   std::uint32_t place(std::size_t half_edge) const { return first_at_[corners_[half_edge]]; }
@@ -102,9 +105,10 @@ class Silhouette {
   Planes planes_;
   std::vector<Edge> edges_;
   std::vector<Part> parts_;
+  PartIntersections intersections_;
   std::vector<char> faces_eye_;
   std::vector<char> on_it_;              ///< For each vertex.
-  std::vector<Edge> outline_, creases_;  ///< Of the part in progress.
+  std::vector<Edge> outline_, creases_;  ///< Edges of the part in progress.
   std::vector<EdgeQuadVertex> edge_quads_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::size_t> part_ends_;

@@ -33,7 +33,7 @@ struct Triangles {
   }
 };
 
-/// The first vertex with the same place and colour as each.
+/// Returns for each vertex the first one with the same place and colour.
 std::vector<std::uint32_t> joined_vertices(const body::TriangleMesh& mesh) {
   const auto key = [&](std::uint32_t i) {
     const Vector3d& v = mesh.vertices[i];
@@ -68,7 +68,7 @@ Triangles placed(const body::TriangleMesh& mesh, const Vector3d& position,
   return result;
 }
 
-/// The bits of a number below 1024, two apart.
+/// Spreads the bits of a number below 1024, with two zero bits between them.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 16U)) & 0x030000FFU;
   x = (x | (x << 8U)) & 0x0300F00FU;
@@ -76,8 +76,8 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | (x << 2U)) & 0x09249249U;
 }
 
-/// Sorts triangles along Morton's curve, so that those that follow one another are close together:
-/// vertices are then shaded once, and clusters are compact.
+/// Sorts triangles along Morton's curve. Consecutive triangles are then close together: vertices
+/// are shaded once, and clusters are compact.
 void sort_by_place(Triangles& triangles) {
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < triangles.corners.size(); ++i) box.extend(triangles.place(i));
@@ -105,7 +105,7 @@ class CornerSets {
     std::iota(parents_.begin(), parents_.end(), 0U);
   }
 
-  /// The lowest corner of a set stands for it.
+  /// Returns the lowest corner of the set.
   std::uint32_t find(std::uint32_t corner) {
     while (parents_[corner] != corner) {
       parents_[corner] = parents_[parents_[corner]];
@@ -123,7 +123,7 @@ class CornerSets {
   std::vector<std::uint32_t> parents_;
 };
 
-/// Corners in one place between whose triangles the surface is smooth.
+/// Returns sets of corners in one place between whose triangles the surface is smooth.
 CornerSets smooth_corners(const Triangles& triangles, const std::vector<Vector3d>& normals,
                           double crease_angle) {
   const std::vector<std::uint32_t> opposite =
@@ -161,7 +161,7 @@ std::vector<glm::vec3> linear_colors(const body::TriangleMesh& mesh) {
   return result;
 }
 
-/// Gives each set of smooth corners a vertex.
+/// Creates a vertex for each set of smooth corners.
 Mesh with_normals(const Triangles& triangles, double crease_angle,
                   const std::vector<glm::vec3>& colors) {
   std::vector<Vector3d> normals;

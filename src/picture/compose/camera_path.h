@@ -8,9 +8,9 @@
 
 namespace twrench::picture {
 
-/// Returns the framing from the scene's camera at the start of the video that, all along its orbit,
-/// has the sphere of `radius` cm about the origin and the `points` (space, cm) in view, at the
-/// scene's distance. `aspect` is the picture's width / height.
+/// Returns the framing, as seen from the scene's camera at the start of the video, that keeps the
+/// sphere of `radius` cm about the origin and the `points` (space, cm) in view along the camera's
+/// whole orbit, at the scene's distance. `aspect` is the picture's width / height.
 Framing framing_along(const scene::Scene& scene, double aspect, double radius,
                       std::span<const Eigen::Vector3d> points);
 

@@ -4,8 +4,8 @@
 
 namespace twrench::picture {
 
-// Each cuts a piece of that size in pixels, and a gap next to it, off one side of `rest`, and
-// returns the piece. The size of `rest` may become negative.
+// Each of these cuts a piece of the given size in pixels, and a gap next to it, off one side of
+// `rest`, and returns the piece. The size of `rest` may become negative.
 image::Area cut_top(image::Area& rest, int height, int gap);
 image::Area cut_bottom(image::Area& rest, int height, int gap);
 image::Area cut_left(image::Area& rest, int width, int gap);

@@ -15,12 +15,11 @@ struct Label {
   std::string text;
   /// The end of the object, in pixels from the top left of the picture.
   Eigen::Vector2d anchor;
-  /// Unit vector, y down, in which direction there is room for the text.
+  /// The direction in which there is room for the text: a unit vector, y down.
   Eigen::Vector2d away;
   /// Colour of the text.
   Color color;
-  /// Where the object begins, in pixels too: other labels stay clear of it from there to the
-  /// anchor.
+  /// The start of the object, in pixels. Other labels avoid the line from here to the anchor.
   std::optional<Eigen::Vector2d> root = {};
 };
 

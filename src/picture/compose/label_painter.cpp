@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 
 // All in em.
 constexpr double halo_width = 0.14;
-constexpr double label_distance = 0.1;     // from what is named
+constexpr double label_distance = 0.1;     // from the named object
 constexpr double clearance = 0.45;         // between the middle of an arrow and another's name
 constexpr double letter_height = 0.75;     // of most letters
 constexpr double unled = 0.35, led = 0.7;  // how far a label moves before a line leads to it
@@ -22,9 +22,9 @@ double ease(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// Returns how far to move up what is `s` above a line, so that it is at least `least` away from it
-/// on either side. It is continuous: what comes from below soon and quickly crosses the line, so
-/// that whatever stays near it is above.
+/// Returns how far to move up something that is `s` above a line, so that it is at least `least`
+/// away from the line on either side. The result is continuous in `s`. An object that approaches
+/// from below crosses the line early and quickly; one that stays near the line is above it.
 double kept_off(double s, double least) {
   if (std::abs(s) >= least) return 0;
   return least * (2 * ease(-0.95 * least, -0.8 * least, s) - 1) - s;
@@ -41,7 +41,8 @@ LabelPainter::LabelPainter(const canvas::Font& font, double size, const Color& h
   }
 }
 
-/// Moves the box off the lines of other labels' objects, across them, upwards if in doubt.
+/// Moves the box off the lines of other labels' objects, perpendicularly to them and preferably
+/// upwards.
 LabelPainter::Box LabelPainter::beside_objects(Box box, const std::vector<Label>& labels,
                                                const Label& own) const {
   const double air = halo_width * size_ + 1;
@@ -110,7 +111,7 @@ void LabelPainter::lead_to(const Box& box, const Label& label, double opacity,
   canvas.polyline(line, width, {label.color, opacity});
 }
 
-/// `moved`: how far it is in em from where it would be if nothing were in its way.
+/// `moved` is the distance in em from where the label would be if nothing were in its way.
 Layer LabelPainter::painted(const Label& label, const canvas::Line& line, const Box& box,
                             double moved) const {
   const double opacity = ease(unled, led, moved);

@@ -8,9 +8,9 @@
 
 namespace twrench::picture {
 
-/// Draws labels next to what they name, moved as little as possible where text, another label or
-/// another named object is in the way; a thin line leads to a label that was moved far. As objects
-/// move continuously, so do labels among them.
+/// Draws labels next to the objects that they name. If text, another label or another named object
+/// is in the way, a label is moved as little as possible; a thin line leads to a label that was
+/// moved far. Labels move continuously if the objects do.
 class LabelPainter {
  public:
   /// `size` is in px per em; `halo` is the colour around each letter that keeps it legible on any

@@ -26,8 +26,8 @@ void copy_area(const Layer& from, Layer& to, const image::Area& area);
 /// Multiplies the layer's opacity by a factor from 0 to 1.
 void scale_opacity(Layer& layer, double factor);
 
-/// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie
-/// inside; what does not is a bug of the caller and is clipped. Returns the affected areas.
+/// Composites `layer` over `image`, which is RGB or premultiplied RGBA. The layer should lie inside
+/// the image; parts outside are a bug of the caller and are clipped. Returns the affected areas.
 std::vector<image::Area> composite_over(image::Image& image, const Layer& layer);
 
 /// Converts premultiplied to unpremultiplied alpha in `area`.

@@ -11,10 +11,10 @@
 namespace twrench::picture {
 
 /// The layout of the picture. Text and insets stay 5 % of the picture's sides away from its edges,
-/// and overlap neither each other nor the focus of any pane. The insets stand in a column beside
-/// the body, with the title above them and the readouts below; in an upright picture in a block
-/// below the body. In a picture more than three times as long as it is wide, everything stands in
-/// one line, so that each item has the full breadth.
+/// and overlap neither each other nor the focus of any pane. The insets are in a column beside the
+/// body, with the title above them and the readouts below. In an upright picture they are in a
+/// block below the body. In a picture more than three times as long as it is wide, all items are in
+/// one line, so that each has the full breadth.
 ///
 /// Items that do not fit are dropped in this order, until the rest has its minimum size and each
 /// body a third of its pane: the views of scene::insets, the last first, the components, the large
@@ -25,7 +25,7 @@ struct Layout {
     image::Area area;   ///< The entire pane.
     image::Area focus;  ///< The part in which the body is framed, free of other items.
     bool named = true;  ///< Whether there is room for labels.
-    /// A line that says what an inset shows.
+    /// A line that names the contents of an inset.
     std::optional<image::Area> heading = std::nullopt;
     /// Width in pixels of the thinnest line that is drawn.
     double thinnest = 1;
@@ -45,8 +45,8 @@ struct Layout {
   struct Caption {
     static constexpr double line_height = 1.3;  ///< em
 
-    image::Area area;  ///< As high as the most lines.
-    double size;       ///< px per em, of which capitals are a 25th of the shorter side high.
+    image::Area area;  ///< High enough for `most_lines`.
+    double size;       ///< px per em; capitals are a 25th of the shorter side high.
     int most_lines;
 
     /// Returns the width in em of the longest line: longer ones are hard to read.
@@ -54,7 +54,7 @@ struct Layout {
   };
 
   /// Panes of the body, one per motion. They tile the picture or, in the view `quad`, a quarter of
-  /// it; none if the view shows no body.
+  /// it. Empty if the view shows no body.
   std::vector<Pane> panes;
   /// The views of scene::insets, in their order.
   std::array<std::optional<Pane>, scene::insets.size()> insets;
@@ -62,13 +62,14 @@ struct Layout {
   std::optional<image::Area> components, curve;
   /// The title, with the method below it or, in a comparison, the time on the right.
   std::optional<image::Area> title;
-  /// What a view without the body shows, in sentences.
+  /// The sentences that describe a view without the body.
   std::optional<image::Area> description;
   /// The remark on what happens, and the readouts of a single motion.
   std::optional<image::Area> readouts;
-  /// The legend of the forces, one row; and what takes the place of the curve or the components or,
-  /// where none are shown, a part of the body's pane: the tilt against time, the principal moments,
-  /// and the torques of the forces, which without the other two stand above the legend.
+  /// The legend of the forces, in one row. The other three take the place of the curve or the
+  /// components or, if neither is shown, a part of the body's pane: the tilt against time, the
+  /// principal moments, and the torques of the forces. Without tilt and moments, the torques are
+  /// above the legend.
   std::optional<image::Area> forces, torques, tilt, moments;
   /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;
@@ -82,8 +83,8 @@ struct Layout {
   bool compact = false;
 };
 
-/// The height of the caption above a readout, in em of the caption; of the readout's value, of the
-/// gap between two rows of them, and of a remark, in em of the value.
+/// Heights of the caption above a readout, in em of the caption; and of the readout's value, of the
+/// gap between two rows of readouts, and of a remark, in em of the value.
 inline constexpr double caption_height = 1.4;
 inline constexpr double readout_height = 1.25;
 inline constexpr double readout_row_gap = 0.35;
@@ -92,7 +93,7 @@ inline constexpr double remark_height = 1.6;
 /// Returns the height in px of that many rows of readouts with captions.
 double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows);
 
-/// Returns whether the nine components stand in one row there instead of three rows of three.
+/// Returns whether the nine components are in one row, instead of three rows of three.
 bool is_strip(const image::Area& components);
 
 /// Computes the layout. Throws InvalidArgument for a comparison in a view that shows only one

@@ -16,7 +16,7 @@ constexpr double least_rows = 9;         // em of the captions, of three rows of
 constexpr int least_components = 150;    // px wide: three curves of 40 px beside one another
 constexpr double least_heading = 12;     // em of the caption
 constexpr double least_named = 5;        // em, of a view that has room for labels
-// Length / width of a picture; in a longer one everything stands in one line.
+// Length / width of a picture. In a longer picture, all items are in one line.
 constexpr int longest = 3;
 
 int pixels(double length) { return static_cast<int>(std::lround(length)); }
@@ -45,7 +45,7 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts, Words wo
   if (std::ranges::find(parts_, true) != parts_.end()) rest_ = safe_;
 }
 
-/// The more lines, the shorter they are.
+/// A narrower picture has more lines, which are shorter.
 void LayoutDraft::place_caption() {
   constexpr double em = 0.0565;  // of the shorter side
   constexpr double least = 9;    // px
@@ -63,8 +63,8 @@ bool LayoutDraft::is_long() const {
   return std::max(picture_.width, picture_.height) > longest * shorter(picture_);
 }
 
-/// Places the method, its readouts and the remark in the pane's corner: above the body, or beside
-/// it if the body would otherwise be smaller.
+/// Places the method, its readouts and the remark in the pane's corner: beside the body if it is
+/// then larger, otherwise above it.
 void LayoutDraft::place_legend(image::Area& pane) {
   if (!parts_[readouts_part]) return;
   const auto& [title, readout, caption] = layout_.text;
@@ -76,8 +76,8 @@ void LayoutDraft::place_legend(image::Area& pane) {
   layout_.legends.push_back(aside ? cut_left(pane, beside, gap_) : cut_top(pane, above, gap_));
 }
 
-/// Divides the area into two lines of panes for at least four views or, in a long picture, one
-/// line, where each view has more room.
+/// Divides the area into two lines of panes if there are at least four views. A long picture has
+/// one line, in which each view has more room.
 std::vector<Share> LayoutDraft::equal_shares(int count) const {
   const int lines = count >= 4 && !is_long() ? 2 : 1;
   const int along = (count + lines - 1) / lines;
@@ -105,7 +105,7 @@ int LayoutDraft::heading_height() const {
   return explains() ? pixels(1.5 * layout_.text.caption) : 0;
 }
 
-/// Cuts the line that says what an inset shows, if there is room for one.
+/// Cuts the line that names the contents of an inset, if there is room for one.
 std::optional<image::Area> LayoutDraft::cut_heading(image::Area& cell) const {
   const int height = heading_height();
   if (height == 0 || cell.width < least_heading * layout_.text.caption) return {};
@@ -142,7 +142,7 @@ bool LayoutDraft::is_safe(const image::Area& area) const {
   return shorter(area) > 0 && image::common(area, safe_) == area;
 }
 
-/// Whether every line of text shows more than an ellipsis.
+/// Returns whether every line of text shows more than an ellipsis.
 bool LayoutDraft::has_room_for_words() const {
   const double title = layout_.text.title, readout = layout_.text.readout;
   const double corner = single() ? 0 : 6 * readout;

@@ -9,21 +9,21 @@
 
 namespace twrench::picture {
 
-/// The optional parts of a layout, in the order of their importance: the last is dropped first. The
-/// views of scene::insets are the last ones.
+/// The optional parts of a layout in the order of their importance: the last is dropped first. The
+/// views of scene::insets come last.
 enum Part : std::size_t { title_part, readouts_part, curve_part, components_part, first_view };
 using Parts = std::array<bool, first_view + scene::insets.size()>;
 
-/// The least height in px of three rows of curves with their names: lower components stand in one
-/// row.
+/// The least height in px of three rows of curves with their names. If there is less, the
+/// components are in one row.
 inline constexpr int least_square = 96;
 
-/// Where title and readouts stand in a picture that is not long: with the insets, so that the body
-/// is larger, or above and below the body, so that the insets have more room.
+/// The placement of title and readouts in a picture that is not long: with the insets, which makes
+/// the body larger, or above and below the body, which leaves more room for the insets.
 enum class Words { with_insets, with_body };
 
-/// A layout in progress: pieces are cut from `rest_`, the free area, until the views take what is
-/// left.
+/// A layout in progress. Pieces are cut from `rest_`, the free area, and the views get the
+/// remainder.
 class LayoutDraft {
  public:
   LayoutDraft(const scene::Scene& scene, const Parts& parts, Words words);
@@ -42,7 +42,7 @@ class LayoutDraft {
   bool upright() const { return 10 * picture_.height > 9 * picture_.width; }
   bool single() const { return solutions_ == 1; }
   bool shows_no_body() const { return scene::inset_index(overlay_.view) < scene::insets.size(); }
-  /// Whether the picture says in words what happens and what is seen.
+  /// Returns whether text explains the motion and the contents of the picture.
   bool explains() const {
     return !layout_.compact && parts_[readouts_part] && overlay_.shows(scene::Feature::hud);
   }

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double legend_height = 1.25, least_legend = 20;     // em of a readout
 constexpr double least_panel_width = 12, least_height = 6.5;  // em of a caption
-constexpr int least_share = 3;                                // of the pane is the focus: a third
-constexpr std::size_t most_groups = 4;                        // of parts
-constexpr int least_over_torques = 4;                         // heights of their row
-constexpr double panel_share = 0.3;                           // of the focus
-constexpr double moments_share = 0.48;                        // of an area that holds both
+constexpr int least_share = 3;          // the focus is at least a third of the pane
+constexpr std::size_t most_groups = 4;  // of parts
+constexpr int least_over_torques = 4;   // least height of the area, in torques' rows
+constexpr double panel_share = 0.3;     // of the focus
+constexpr double moments_share = 0.48;  // of an area that holds both
 
 int shorter_side(const image::Area& area) { return std::min(area.width, area.height); }
 
@@ -23,7 +23,7 @@ bool holds_panel(const image::Area& area, double size) {
 
 }  // namespace
 
-/// Whether there are torques of forces to compare, of few enough groups of parts.
+/// Returns whether there are torques of forces to compare, of few enough groups of parts.
 bool LayoutDraft::compares_torques() const {
   const std::size_t groups = scene::part_groups(scene_.body).size();
   return overlay_.shows(scene::Feature::forces) && scene_.camera.frame != scene::Frame::space &&
@@ -36,7 +36,7 @@ int LayoutDraft::torques_height() const {
 
 image::Area LayoutDraft::safe_focus() const { return image::common(layout_.panes[0].focus, safe_); }
 
-/// Takes the rest of a focus from which something was cut, if the body keeps a third of its pane.
+/// Makes `rest` the focus, after something was cut from it, if the body keeps a third of its pane.
 bool LayoutDraft::take_focus(const image::Area& rest) {
   Layout::Pane& pane = layout_.panes[0];
   if (least_share * shorter_side(rest) < shorter_side(pane.area)) return false;
@@ -44,7 +44,7 @@ bool LayoutDraft::take_focus(const image::Area& rest) {
   return true;
 }
 
-/// Cuts a part of the focus: from its right or, of an upright one, from its bottom.
+/// Cuts a part off the focus: at its right or, if it is upright, at its bottom.
 image::Area LayoutDraft::cut_panels(image::Area& rest) const {
   if (rest.height > rest.width) {
     return cut_bottom(rest, static_cast<int>(panel_share * rest.height), gap_);
@@ -52,8 +52,8 @@ image::Area LayoutDraft::cut_panels(image::Area& rest) const {
   return cut_right(rest, static_cast<int>(panel_share * rest.width), gap_);
 }
 
-/// Returns the area extended to the height of the focus, as far as text leaves room, if it stands
-/// beside that alone.
+/// Returns the area. If only the focus is beside it, it is extended to the height of the focus, as
+/// far as text leaves room.
 image::Area LayoutDraft::beside_focus(image::Area area) const {
   const image::Area focus = safe_focus();
   const bool alone = shown_views().empty() && !(layout_.curve && layout_.components);
@@ -99,7 +99,8 @@ void LayoutDraft::place_force_panels() {
   (tilt ? layout_.tilt : layout_.moments) = area;
 }
 
-/// Places the legend of the forces and, unless they stand among the panels, the torques above it.
+/// Places the legend of the forces and, unless the torques are among the panels, the torques above
+/// it.
 void LayoutDraft::place_force_legend() {
   const double size = layout_.text.readout;
   image::Area rest = safe_focus();
@@ -113,7 +114,7 @@ void LayoutDraft::place_force_legend() {
   if (rest.height > 0 && take_focus(rest)) layout_.torques = torques;
 }
 
-/// Only a single body has them, as far as the scene shows them and they fit.
+/// Places the panels and the legend of a single body, if the scene shows them and they fit.
 void LayoutDraft::place_forces() {
   if (overlay_.view != scene::View::wrench || !single()) return;
   place_force_panels();

@@ -1,4 +1,4 @@
-// Where the title, the readouts and the insets stand.
+// Places the title, the readouts and the insets.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,15 +11,15 @@ namespace {
 constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
 constexpr double strip_aspect = 4.75;      // of nine in a row
 constexpr double curve_aspect = 1.9;
-constexpr double least_stretch = 0.85;     // of a plot beside squares, and
-constexpr double most_stretch = 1.5;       // of a plot, where there is more room
+constexpr double least_stretch = 0.85;     // of a plot beside squares
+constexpr double most_stretch = 1.5;       // of a plot
 constexpr double most_insets = 0.65;       // of a long picture
 constexpr double column_width = 0.27;      // of the picture's width
 constexpr double block_height = 0.27;      // of the picture's height
 constexpr double most_strip = 0.28;        // of the height of the panes of a comparison
 constexpr int least_pair = 80;             // px, the side of each of two squares in a row
 constexpr int least_column = 150;          // px
-constexpr double words_width = 28;         // em of the readouts, of the text in a long picture
+constexpr double words_width = 28;         // em of the readouts: the text in a long picture
 constexpr double readouts_width = 12;      // em, of time and flips in a row
 constexpr double drift_width = 7;          // em
 constexpr double least_description = 12;   // em of the readouts, the width of a description
@@ -28,7 +28,7 @@ constexpr double letter_width = 0.52;      // em of the title, on average
 
 int whole(double length) { return static_cast<int>(std::lround(length)); }
 
-/// Returns how many characters the UTF-8 text has.
+/// Returns the number of characters of the UTF-8 text.
 std::ptrdiff_t characters(const std::string& text) {
   return std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; });
 }
@@ -66,7 +66,7 @@ void LayoutDraft::place_words_and_insets() {
   }
 }
 
-/// Two lines for a title that would otherwise be set smaller; its width is estimated.
+/// Two lines if the title would otherwise be set smaller. Its width is estimated.
 double LayoutDraft::title_height(int width) const {
   const auto& [title, readout, caption] = layout_.text;
   const std::string& text = scene_.shown_title();
@@ -83,7 +83,7 @@ void LayoutDraft::place_title(image::Area& column) {
   if (parts_[title_part]) layout_.title = cut_top(column, whole(title_height(column.width)), gap_);
 }
 
-/// One row or as many as the readouts need and as fit.
+/// Returns the number of rows that the readouts need, as far as these fit; at least one.
 int LayoutDraft::rows_of_readouts(const image::Area& column) const {
   const double needed = readouts_width + (overlay_.shows(scene::Feature::drift) ? drift_width : 0);
   const double wanted = std::ceil(needed * layout_.text.readout / column.width);
@@ -107,8 +107,8 @@ void LayoutDraft::place_words(image::Area& column) {
   place_readouts(column);
 }
 
-/// Beside the body: the title, the insets or the description, the readouts. Two views with plots
-/// below them share a row.
+/// Places the title, the insets or the description, and the readouts beside the body. Two views
+/// with plots below them share a row.
 void LayoutDraft::place_column() {
   const double width = std::min(column_width * picture_.width, 0.5 * picture_.height);
   image::Area column = cut_right(
@@ -132,8 +132,8 @@ void LayoutDraft::place_column() {
   place_insets(column, true, views);
 }
 
-/// In an upright picture the title stands above the body, and below it the squares beside the plots
-/// and the readouts.
+/// In an upright picture, places the title above the body. Below the body are the squares, with the
+/// plots and the readouts beside them.
 void LayoutDraft::place_block() {
   place_title(rest_);
   if (shows_no_body()) {
@@ -164,8 +164,9 @@ void LayoutDraft::place_block() {
   place_insets(block, true, plots);
 }
 
-/// In a long picture: title and readouts at its left end, or at both of an upright one, and the
-/// insets at the other.
+/// In a long picture, places the title and the readouts at the left, and the insets at the right.
+/// If it is upright, the title is at the top, the readouts are at the bottom, and the insets are
+/// above them.
 void LayoutDraft::place_in_line() {
   const int breadth = upright() ? rest_.width : rest_.height;
   const bool strip = !upright() && breadth < least_square;
@@ -210,8 +211,8 @@ void LayoutDraft::place_description(const image::Area& area) {
   if (holds) layout_.description = area;
 }
 
-/// Places the insets in a line. Where it is too short, first plots and then squares become smaller;
-/// where it is longer, plots take more, and the gaps the rest.
+/// Places the insets in a line. If the line is too short, first the plots and then the squares
+/// become smaller. If it is longer, the plots take more room, and the gaps the rest.
 void LayoutDraft::place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets) {
   if (insets.empty()) return;
   const int breadth = vertical ? area.width : area.height;

@@ -22,8 +22,8 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// What speaks against ending a line with that word, of the mean of the squared shares of the
-/// lines.
+/// Returns the cost of ending a line with that word, on the scale of a line's squared share of the
+/// total width.
 double reluctance(const std::string& word) {
   constexpr double at_sentence = 0, at_comma = 0.04, elsewhere = 0.1;
   switch (word.back()) {
@@ -40,8 +40,8 @@ double reluctance(const std::string& word) {
   }
 }
 
-/// The best division of words into lines: of about the same length, and ending with a sentence or
-/// a comma rather than in the midst of one.
+/// Divides words into lines of about the same length that end with a sentence or a comma if
+/// possible.
 class LineBreaker {
  public:
   LineBreaker(const canvas::Font& font, const std::vector<std::string>& words, double width)
@@ -74,7 +74,7 @@ std::optional<std::vector<std::string>> LineBreaker::broken(int count) const {
   constexpr double never = std::numeric_limits<double>::infinity();
   const std::size_t n = words_.size();
   const auto lines = static_cast<std::size_t>(count);
-  // The least cost of the first words in so many lines, and where the last of these begins.
+  // For each number of lines and of words: the least cost, and where the last line begins.
   std::vector<std::vector<double>> least(lines + 1, std::vector<double>(n + 1, never));
   std::vector<std::vector<std::size_t>> begin(lines + 1, std::vector<std::size_t>(n + 1, 0));
   least[0][0] = 0;
@@ -120,9 +120,10 @@ Caption::Caption(const std::string& text, const Layout::Caption& place,
   canvas::require_characters(typeface.regular, text, "caption");
   const auto lines = broken_into_lines(typeface.regular, text, place.line_width(), most);
   if (!lines) {
-    throw InvalidArgument("caption",
-                          fmt::format("needs more than {} lines in a picture of this shape", most),
-                          "shorten it");
+    throw InvalidArgument(
+        "caption",
+        fmt::format("needs more than the {} lines that fit into a picture of this shape", most),
+        "shorten it");
   }
   if (lines->empty()) return;
   layer_ = {image::Image(area.width, area.height, 4), area.x, area.y};

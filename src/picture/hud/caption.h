@@ -21,8 +21,8 @@ std::optional<std::vector<std::string>> broken_into_lines(const canvas::Font& fo
 /// legible on any background.
 class Caption final : public Element {
  public:
-  /// Throws InvalidArgument where the text does not fit, and MissingGlyph where the typeface lacks
-  /// a character of it.
+  /// Throws InvalidArgument if the text does not fit, and MissingGlyph if the typeface lacks one of
+  /// its characters.
   Caption(const std::string& text, const Layout::Caption& place, const canvas::Typeface& typeface,
           const OverlayColors& colors);
 

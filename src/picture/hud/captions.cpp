@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What a part covers of an axis of the body, in cm from the centre of mass.
+/// The extent of a part along an axis of the body, in cm from the centre of mass.
 struct Extent {
   double low, high;
 
@@ -54,8 +54,8 @@ Remarks::Remarks(const timeline::Solution& solution)
       axis_(solution.body.principal().axes.col(1)),
       momentum_(solution.body.momentum()) {}
 
-/// Returns 1 where L has left the intermediate axis, from one end of which to the other it swings,
-/// and less where it comes close to its turning points.
+/// L swings from one end of the intermediate axis to the other. Returns 1 while it is away from the
+/// axis, and less close to its turning points.
 double Remarks::share_of_flip(const motion::Sample& sample) const {
   constexpr double begins = 0.95, full = 0.85;  // of L's largest component along that axis
   const Vector3d direction = (sample.X.transpose() * momentum_).stableNormalized();

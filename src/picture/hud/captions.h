@@ -8,15 +8,16 @@
 #include "picture/hud/text_block.h"
 #include "timeline/timeline.h"
 
-// What the picture says in words about what it shows, in UTF-8.
+// The texts that explain the picture, in UTF-8.
 namespace twrench::picture::captions {
 
-/// Returns what x11 means. A body has a leg if one part lies along the x axis on the positive side
-/// and alone reaches farthest from the centre of mass in that direction or the opposite one.
+/// Returns the meaning of x11. A body has a leg if one part lies along the x axis on the positive
+/// side and reaches farther from the centre of mass than all others in that direction or the
+/// opposite one.
 std::string curve(const scene::Body& body);
 
-/// The remarks on a motion: that the body turns over, around each flip of the method's own
-/// solution; that the matrix is no rotation, once it is 1 % off.
+/// The remarks on a motion: around each flip of the method's own solution, that the body turns
+/// over; once the matrix is 1 % off, that it is no rotation.
 class Remarks {
  public:
   explicit Remarks(const timeline::Solution& solution);
@@ -33,7 +34,7 @@ class Remarks {
   Eigen::Vector3d momentum_;  ///< L in space, of any length.
 };
 
-/// The remarks that there are; the longest decides on the room that one needs.
+/// All remarks. The longest determines the room for a remark.
 inline constexpr const char* turns_over = "it turns over";
 inline constexpr const char* no_rotation = "no rotation any more";
 

@@ -5,8 +5,7 @@
 
 namespace twrench::picture {
 
-/// The nine components of X, as they stand in the matrix or, where there is little height, in a
-/// row.
+/// The nine components of X, arranged as in the matrix or, if there is little height, in a row.
 class ComponentPanel final : public PlotPanel {
  public:
   ComponentPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,

@@ -64,8 +64,8 @@ void CurvePanel::draw_caption(const scene::Scene& scene, const image::Area& area
   ground().text(line, size_, {area.x + padding, area.y + padding + 0.85 * size_}, {colors_.text});
 }
 
-/// The two ends of the scale: the directions along space x, as arrows where the camera sees them
-/// from a fixed side, otherwise as numbers.
+/// Labels the two ends of the scale, the directions along space x: as arrows if the camera sees
+/// them from a fixed side, otherwise as numbers.
 void CurvePanel::draw_scale(const scene::Scene& scene) {
   const Plot& plot = plots_[0];
   const double side = std::cos(scene.camera.azimuth);
@@ -93,8 +93,8 @@ void CurvePanel::draw_arrow(double y, double direction) {
                     width, ink);
 }
 
-/// Ticks at the flips, with their times: of all flips or, where those would run into each other, of
-/// every second one, every third and so on.
+/// Draws a tick and the time at each flip. If the times would overlap, only every second, third or
+/// n-th flip has its time.
 void CurvePanel::label_flips(const std::vector<double>& times) {
   const Plot& plot = plots_[0];
   const double bottom = plot.area.y + plot.area.height;
@@ -109,7 +109,7 @@ void CurvePanel::label_flips(const std::vector<double>& times) {
   const auto stride =
       static_cast<std::size_t>(std::ceil(static_cast<double>(times.size()) / labels));
   canvas::Canvas canvas = ground();
-  double free = plot.area.x;  // what lies to the left is taken
+  double free = plot.area.x;  // everything to the left is taken
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double x = std::round(plot.x(times[i] / duration_));
     canvas.rectangle(x - tick / 2, bottom - 0.5 * size_, tick, 0.5 * size_, {colors_.text, 0.8});

@@ -5,8 +5,8 @@
 
 namespace twrench::picture {
 
-/// One component of X, x11, large, with a caption that says what it means and a tick at each flip:
-/// the cosine of the angle between the body's x axis and where it pointed at t = 0.
+/// One component of X, x11, large, with a caption that explains it and a tick at each flip. It is
+/// the cosine of the angle between the body's x axis and its direction at t = 0.
 class CurvePanel final : public PlotPanel {
  public:
   CurvePanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
@@ -20,7 +20,7 @@ class CurvePanel final : public PlotPanel {
   void label_flips(const std::vector<double>& times);
 
   const canvas::Font& font_;
-  double size_;  ///< Of all text, px per em.
+  double size_;  ///< Size of all text, px per em.
   /// Whether there is room for the caption, for the scale on the left, and for the times of flips.
   bool captioned_ = false, scaled_ = false, timed_ = false;
 };

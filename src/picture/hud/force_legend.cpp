@@ -13,7 +13,7 @@ namespace {
 constexpr double sample_length = 1.1, after_sample = 0.4, between_names = 1.4;
 constexpr double name_baseline = 0.95;
 
-/// A text of the row, with a sample of an arrow before it unless it has none.
+/// A text of the row, which may have a sample of an arrow before it.
 struct Entry {
   canvas::Line name;
   Color color;

@@ -7,7 +7,7 @@
 namespace twrench::picture {
 
 /// The names of the forces in the colours of their arrows, in one row, with the frame in which they
-/// act. What does not fit the row is omitted: first the frame, then everything.
+/// act. If the row is too short, the frame is omitted; if it is still too short, everything is.
 class ForceLegend : public Element {
  public:
   /// Uses layout.forces.

@@ -161,7 +161,7 @@ void Typesetter::add_moment(TextBlock& block, std::size_t solution) {
                 frame.colors[static_cast<std::size_t>(axis)]);
 }
 
-/// Small pictures have no room for it.
+/// Small pictures have no room for a remark.
 void Typesetter::add_remark(TextBlock& block, std::size_t solution) {
   if (layout_.compact || !shows(scene::Feature::hud)) return;
   block.add_remark(

@@ -7,17 +7,17 @@
 
 namespace twrench::picture {
 
-/// Returns whether the background can be anything, so that text needs a panel behind it.
+/// Returns whether text needs a panel behind it because the background is arbitrary.
 bool needs_panels(const scene::Look& look);
 
 /// Returns the colour that identifies a method in a comparison.
 Color solution_color(const OverlayColors& colors, std::size_t solution);
 
 /// The text of the video: the title, the readouts of time, drift and flips with a remark on what
-/// happens, and what the views show.
+/// happens, and the headings and descriptions of views.
 class Hud : public Element {
  public:
-  /// `typeface` and `colors` outlive it. Throws MissingGlyph where the typeface lacks a
+  /// `typeface` and `colors` must outlive the object. Throws MissingGlyph if the typeface lacks a
   /// character of the title or, without one, of the scene's name.
   Hud(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
       const Layout& layout, const canvas::Typeface& typeface, const OverlayColors& colors);

@@ -27,7 +27,7 @@ std::string moment_text(double moment) {
   return moment >= 100 ? fmt::format("{:.0f}", moment) : fmt::format("{:.3g}", moment);
 }
 
-/// Draws an arrow that turns once around `centre`, open at the top.
+/// Draws a circular arrow around `centre`, open at the top.
 void draw_turn(canvas::Canvas& canvas, const Point& centre, double radius, double width,
                const Color& color) {
   constexpr double from = -0.3 * std::numbers::pi, to = 1.3 * std::numbers::pi;
@@ -45,7 +45,6 @@ void draw_turn(canvas::Canvas& canvas, const Point& centre, double radius, doubl
                   width, {color});
 }
 
-/// What a bar shows.
 struct Bar {
   double moment;
   std::string name;

@@ -9,9 +9,8 @@
 
 namespace twrench::picture {
 
-/// The principal moments as bars, from the least to the greatest, in the colours of their axes. The
-/// axis about which the body rotates is marked with a turning arrow, and its bar is in full
-/// strength.
+/// The principal moments as bars, from the least to the greatest, in the colours of their axes. A
+/// turning arrow marks the axis about which the body rotates, and its bar is in full strength.
 class MomentsPanel : public Element {
  public:
   /// Uses layout.moments. Shows the first solution's body.

@@ -5,7 +5,7 @@
 
 namespace twrench::picture {
 
-/// Draws the ground of a panel, a rectangle with rounded corners of at most that radius in px.
+/// Draws the background of a panel: a rectangle with rounded corners of at most that radius in px.
 void draw_panel(canvas::Canvas& canvas, const image::Area& area, double radius,
                 const OverlayColors& colors);
 

@@ -16,12 +16,12 @@ class PlotPanel : public Element {
   std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  protected:
-  /// The component of X in that row and column, each from 0, against time.
+  /// The component of X in that row and column, counted from 0, against time.
   struct Plot {
     int row, column;
     image::Area area;
 
-    /// Where a share of the duration, and where a value lies in the picture, in px.
+    /// Return the position in the picture, in px, of a share of the duration and of a value.
     double x(double share) const { return area.x + share * area.width; }
     double y(double value) const;
   };
@@ -30,20 +30,20 @@ class PlotPanel : public Element {
   PlotPanel(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
             const image::Area& area, double thickness, const OverlayColors& colors);
 
-  /// Draws on what lies below the curves.
+  /// Returns a canvas for the layer below the curves.
   canvas::Canvas ground() { return {future_.image, future_.x, future_.y}; }
 
   /// Draws the curves; called once, when plots and ground are complete.
   void add_curves(const std::vector<timeline::Solution>& solutions);
 
-  /// Draws a line through each plot at each flip. Those of several methods, which disagree, would
-  /// clutter the plots.
+  /// Draws a line through each plot at each flip. With several methods, whose flips differ, the
+  /// lines would clutter the plots.
   void mark_flips(const timeline::Solution& solution);
 
   /// Draws the zero lines.
   void mark_zeros();
 
-  /// Returns "x₁₁" for the first.
+  /// Returns the name of a component, "x₁₁" for the first.
   static std::string name_of(const Plot& plot);
 
   bool compares() const { return solutions_ > 1; }

@@ -20,9 +20,9 @@ struct TextStyle {
   const OverlayColors& colors;
   /// Text sizes.
   Layout::TextSizes sizes;
-  /// Captions stand beside their readouts instead of above.
+  /// Whether captions are beside their readouts instead of above.
   bool compact;
-  /// Whether a panel lies behind each block: on a background that can be anything.
+  /// Whether each block has a panel behind it. Arbitrary backgrounds require it.
   bool panels;
 };
 
@@ -43,9 +43,8 @@ struct Remark {
   double opacity = 1;
 };
 
-/// A text block. A thin halo around the letters, and a panel where the style has one, keep it
-/// legible whatever comes to lie behind it. Everything except remarks and the values of the
-/// readouts is drawn once.
+/// A text block. A thin halo around the letters and, if the style has one, a panel keep it legible
+/// on any background. Everything except remarks and the values of the readouts is drawn once.
 class TextBlock {
  public:
   /// Uses the part of `area` that the text needs, starting at its top left.
@@ -56,10 +55,10 @@ class TextBlock {
   void add_line(const std::string& text, const canvas::Font& font, double size, const Color& ink,
                 const Color* curve = nullptr);
 
-  /// Adds a line that is broken in two where it would otherwise be set smaller.
+  /// Adds a line that is broken in two if it would otherwise be set smaller.
   void add_title(const std::string& text, const canvas::Font& font, double size, const Color& ink);
 
-  /// Adds a text in as many lines as it needs, truncated where there is not enough room.
+  /// Adds a text in as many lines as it needs. It is truncated if there is not enough room.
   void add_paragraph(const std::string& text, const canvas::Font& font, double size,
                      const Color& ink);
 
@@ -67,7 +66,7 @@ class TextBlock {
   void add_remark(const std::string& widest,
                   std::function<Remark(const timeline::FrameState&)> remark);
 
-  /// Adds a bar whose length is that share of the area's width.
+  /// Adds a bar whose length is `share` of the area's width.
   void add_bar(double share, const Color& color);
 
   /// Adds readouts side by side in rows or, in an upright area, stacked; omits the last ones if
@@ -118,7 +117,7 @@ class TextBlock {
   TextStyle style_;
   image::Area area_;
   image::Area extent_;
-  double y_;  ///< Where the next line begins.
+  double y_;  ///< Top of the next line.
   double corner_width_ = 0;
   std::vector<Text> texts_;
   std::vector<Value> values_;

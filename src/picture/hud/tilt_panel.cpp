@@ -16,14 +16,14 @@ namespace {
 using Point = canvas::Canvas::Point;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double greatest_tilt = std::numbers::pi / 2;      // the greatest tilt
-constexpr double faint_future = 0.35, grid_opacity = 0.22;  // opacities
-constexpr double dash_em = 0.55;                            // em, and as much between two
-constexpr double scale_em = 2.6;                            // width of the scale's numbers
-constexpr double plot_line_em = 1.5;                        // height of a line of text
+constexpr double greatest_tilt = std::numbers::pi / 2;
+constexpr double faint_future = 0.35, grid_opacity = 0.22;
+constexpr double dash_em = 0.55;      // length of a dash, and of the gap between two
+constexpr double scale_em = 2.6;      // width of the scale's numbers
+constexpr double plot_line_em = 1.5;  // height of a line of text
 
-/// The power of ten in degrees, in rad, at the bottom of the scale: below the least tilt of the
-/// film, except where that is none but for round-off.
+/// Returns the bottom of the scale in rad: a power of ten in degrees, below the least tilt of the
+/// film. Tilts that are only round-off do not count.
 double bottom_of(const motion::Tilt& tilt, const std::vector<motion::Sample>& whole) {
   constexpr double round_off = 1e-9 * degree;
   double least = degree;

@@ -13,7 +13,7 @@ namespace twrench::picture {
 
 /// The tilt of the body against L (motion::Tilt) against time on a logarithmic scale: the past in
 /// full strength, the future faint. If the axis is unstable, a dashed straight line is the growth
-/// that the linearised equations predict; a caption says what they predict.
+/// that the linearised equations predict; a caption states the prediction.
 class TiltPanel : public Element {
  public:
   /// Uses layout.tilt. Shows the first solution.
@@ -33,11 +33,11 @@ class TiltPanel : public Element {
   const OverlayColors& colors_;
   const canvas::Typeface& typeface_;
   motion::Tilt tilt_;
-  double duration_;              ///< Of the motion in s.
-  double size_;                  ///< Of the text in px.
-  double thickness_;             ///< Of the curve in px.
-  double least_;                 ///< At the bottom of the plot, in rad.
-  canvas::Canvas::Point value_;  ///< Where the current value is written.
+  double duration_;              ///< Duration of the motion in s.
+  double size_;                  ///< Size of the text in px.
+  double thickness_;             ///< Thickness of the curve in px.
+  double least_;                 ///< Tilt at the bottom of the plot, in rad.
+  canvas::Canvas::Point value_;  ///< Position of the text of the current value.
   image::Area plot_;
   Layer future_;
   Layer past_;

@@ -18,7 +18,7 @@ std::string torque_text(double torque) {
   return sign + fmt::format("{:.{}f}", size, size < 1 ? 2 : size < 100 ? 1 : 0);
 }
 
-/// Four readouts have to stand side by side in a narrow panel.
+/// Makes the text smaller, because four readouts must fit side by side in a narrow panel.
 TextStyle smaller(TextStyle style) {
   constexpr double share = 0.86;
   style.sizes.readout *= share;

@@ -5,8 +5,8 @@
 
 namespace twrench::picture {
 
-/// The torque with which the forces on each group of parts tilt the body further, and their sum: a
-/// viewer sees which of them wins.
+/// The torque with which the forces on each group of parts tilt the body further, and the sum of
+/// these torques. A viewer sees which group wins.
 class TorqueReadouts : public Element {
  public:
   /// Uses layout.torques. Shows the first solution.

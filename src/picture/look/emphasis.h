@@ -4,13 +4,13 @@
 
 namespace twrench::picture {
 
-/// Where a scene stresses some features, the opacity of each other one.
+/// The opacity of a feature if a scene stresses others.
 inline constexpr double dimmed_opacity = 0.55;
 
 /// Returns whether the scene stresses other features than this one.
 bool is_dimmed(const scene::Overlay& overlay, scene::Feature feature);
 
-/// Returns by how much thicker a feature is drawn than usual.
+/// Returns the factor by which a feature is drawn thicker than usual.
 double thickness_of(const scene::Overlay& overlay, scene::Feature feature);
 
 /// Returns the colour of a dimmed feature, mixed with the panel's.

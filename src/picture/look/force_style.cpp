@@ -18,7 +18,8 @@ std::string name_of(Force force) {
 }
 
 Color color_of(Force force, const OverlayColors& colors) {
-  // Those of the axes are apart for every type of colour vision, and axes are seldom shown too.
+  // The axes' colours are distinguishable with every type of colour vision, and forces are seldom
+  // shown together with the axes.
   if (force == Force::constraint) return colors.dim;
   return colors.axis[static_cast<std::size_t>(force)];
 }

@@ -7,19 +7,18 @@
 
 namespace twrench::picture {
 
-/// A kind of force on a part of the body, as an observer in a frame of reference accounts for its
-/// motion.
+/// A kind of force by which an observer in a frame of reference explains the motion of a part.
 enum class Force { centrifugal, coriolis, euler, constraint };
 
-/// Returns the kinds of forces that there are in a frame, in the order in which they are listed. In
-/// space there is only what holds the parts; in the body, where they rest, no Coriolis force; and
-/// in a frame that turns steadily no Euler force.
+/// Returns the kinds of forces in a frame, in the order in which they are listed. In space there is
+/// only the constraint force, which holds the parts. In the body frame, where the parts are at
+/// rest, there is no Coriolis force. In a frame that turns steadily there is no Euler force.
 const std::vector<Force>& forces_in(scene::Frame frame);
 
-/// Returns the name for a legend.
+/// Returns the name of the force for a legend.
 std::string name_of(Force force);
 
-/// Returns the colour of its arrows and of its name.
+/// Returns the colour of the force's arrows and of its name.
 Color color_of(Force force, const OverlayColors& colors);
 
 }  // namespace twrench::picture

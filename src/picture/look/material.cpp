@@ -31,7 +31,7 @@ Material material(const scene::Look& look, const scene::PartLook& part, bool is_
                               linear_from_srgb(srgb.blue));
   const Eigen::Vector3d reflectance =
       metallic * color + (1 - metallic) * Eigen::Vector3d::Constant(dielectric_reflectance);
-  constexpr double brushed = 0.73;  // the finer the brush, the smoother what it leaves
+  constexpr double brushed = 0.73;  // finer brushing leaves a smoother surface
   return {glm_from_eigen(((1 - metallic) * color).eval()), glm_from_eigen(reflectance),
           static_cast<float>(metallic * brushed * roughness), static_cast<float>(roughness),
           static_cast<float>(metallic)};

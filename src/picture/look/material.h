@@ -23,7 +23,7 @@ struct Material {
   float brushing;
   /// Perceptual roughness; its square is alpha of the GGX distribution (Burley 2012).
   float roughness;
-  /// Metalness, 0 (paint) to 1 (metal), which decides how a vertex's own colour is shared out
+  /// Metalness, 0 (paint) to 1 (metal), which determines how a vertex's own colour is divided
   /// between diffuse albedo and reflectance.
   float metalness;
 
@@ -36,12 +36,12 @@ struct Finish {
   double roughness;  ///< Roughness, 0.05 (mirror) to 1 (chalk).
 };
 
-/// Returns the finish of a part. What neither its look nor the body's sets is the theme's or, for a
-/// mesh with colours of its own, that of plastic.
+/// Returns the finish of a part. Values that are set neither by its look nor by the body's are
+/// those of the theme or, for a mesh with vertex colours, those of plastic.
 Finish finish(const scene::Look& look, const scene::PartLook& part, bool is_colored);
 
-/// Returns the material of a body that looks like that, or of a part of it with a look of its own,
-/// or with colours of its own.
+/// Returns the material of a body with that look, or of a part that has its own look or vertex
+/// colours.
 Material material(const scene::Look& look, const scene::PartLook& part = {},
                   bool is_colored = false);
 

@@ -7,7 +7,7 @@
 namespace twrench::picture {
 namespace {
 
-/// A softbox at `centre` that faces the body, with `width` and `height` and level sides.
+/// Returns a softbox at `centre` with `width`, `height` and level sides, which faces the body.
 AreaLight facing_body(const glm::vec3& centre, float width, float height,
                       const glm::vec3& radiance) {
   const glm::vec3 back = glm::normalize(centre);

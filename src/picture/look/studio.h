@@ -32,8 +32,8 @@ struct Studio {
   glm::vec3 below;
 };
 
-/// The radiance of the studio, blurred so far that it varies linearly with the direction: mean +
-/// slope * direction.
+/// The radiance of the studio, so blurred that it varies linearly with the direction: it is
+/// mean + slope * direction.
 struct AmbientLight {
   glm::vec3 mean;
   glm::mat3 slope;

@@ -17,7 +17,8 @@ Color mixed(const Color& a, const Color& b, double share) {
   return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
-/// The axes' colours for the columns; rows from nearest to `end` to the axes' colours themselves.
+/// Columns have the axes' colours; rows range from a colour close to `end` to the axes' colours
+/// themselves.
 std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& end) {
   std::array<Color, 9> result{};
   for (std::size_t row = 0; row < 3; ++row) {

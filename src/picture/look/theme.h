@@ -35,9 +35,9 @@ struct OverlayColors {
   std::array<Color, 9> curve;
 };
 
-/// The background: a vertical gradient, and stars. Its colours, and so all between them, have the
-/// same differences between their channels: the 8-bit chroma planes of a video would turn a hue
-/// that varies with the brightness into visible contours.
+/// The background: a vertical gradient, and stars. All its colours have the same differences
+/// between their channels, because the 8-bit chroma planes of a video would turn a hue that varies
+/// with the brightness into visible contours.
 struct Backdrop {
   /// Colour at the top of the picture.
   Color above;
@@ -51,14 +51,15 @@ struct Backdrop {
 
 /// The floor of a theme.
 struct FloorStyle {
-  /// Light added in the middle of the pool. It is gray, so that the background keeps its hue.
+  /// Light added in the middle of the pool. It is gray and therefore keeps the hue of the
+  /// background.
   Color light;
   /// Fraction of the light that the deepest shadow removes, 0 to 1.
   double shadow;
   /// Visible fraction of the body's mirror image, 0 to 1.
   double reflection;
-  /// Fraction of the light that the darkest clouds in its polish remove, 0 to 1. They show under a
-  /// moving camera that the floor stands still.
+  /// Fraction of the light that the darkest clouds in its polish remove, 0 to 1. Under a moving
+  /// camera they show that the floor stands still.
   double clouds;
 };
 

@@ -22,7 +22,7 @@ constexpr double plane_distance = 1.18, longest_omega = 1.5, least_plane = 0.85;
 constexpr double momentum_thickness = 0.017, omega_thickness = 0.015, axis_thickness = 0.010;
 constexpr double trail_width = 0.016, plane_line = 0.004;
 
-/// Points on the circle of that radius about `centre`, normal to `normal`.
+/// Returns points on the circle of that radius about `centre`, normal to `normal`.
 std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, double radius,
                              int count) {
   const Matrix3d frame = body::frame_with_z_along(normal);
@@ -56,6 +56,14 @@ BodyOverlay::BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body
     shows_momentum_ = shows_omega_ = shows_plane_ = false;
     return;
   }
+  if (!body.is_rigid()) {
+    // The tip of omega stays in no plane.
+    const double fastest = scene::fastest_rate(body);
+    shows_omega_ = shows_omega_ && fastest > 0;
+    if (shows_omega_) scale_ = longest_omega * radius / fastest;
+    omega_reach_ = longest_omega * radius;
+    return;
+  }
   const auto level =
       motion::level_through(body.principal().moments, body.principal().axes.transpose() * up_);
   const double outer = level ? motion::herpolhode_annulus(*level).outer : 0;
@@ -70,7 +78,12 @@ BodyOverlay::BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body
 std::vector<Vector3d> BodyOverlay::extent() const {
   std::vector<Vector3d> points;
   if (shows_momentum_) points.push_back(momentum_tip());
-  if (shows_omega_ || shows_plane_) {
+  if (shows_omega_ && omega_reach_ > 0) {
+    for (int i = 0; i < 3; ++i) {
+      for (const double side : {-1, 1})
+        points.emplace_back(side * omega_reach_ * Vector3d::Unit(i));
+    }
+  } else if (shows_omega_ || shows_plane_) {
     const double across = shows_plane_ ? plane_radius_ : omega_radius_;
     for (const Vector3d& point : circle(plane_height_ * up_, up_, across, 16)) {
       points.push_back(point);
@@ -122,8 +135,8 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
   }
 }
 
-/// The line that a point leaves behind, with a dot where the point is now, on a halo that keeps
-/// them visible against anything.
+/// Draws the line that a point leaves behind, and a dot at its current position, on a halo that
+/// keeps them visible on any background.
 template <typename Place>
 void BodyOverlay::draw_track(const timeline::SolutionState& instant, double width,
                              const Color& color, Place place, DrawList& translucent) const {
@@ -138,7 +151,7 @@ void BodyOverlay::draw_track(const timeline::SolutionState& instant, double widt
   }
   translucent.line_on_halo(line, colors_.panel);
   if (line.empty()) return;
-  // The dot stands for a ball, whose near side is what arrows through it do not hide.
+  // The dot represents a ball. It is drawn at its near side, which arrows through it do not hide.
   const Vector3d& now = line.back().place;
   const Vector3d near = now + dot * width * radius_ * (translucent.eye() - now).normalized();
   const double size = line.back().width;

@@ -33,13 +33,13 @@ class BodyOverlay {
   std::vector<Label> labels(const timeline::SolutionState& instant, const Camera& camera,
                             const image::Area& pane) const;
 
-  /// Return the tips of the arrows in space, cm; for a body at rest they are at the origin.
+  /// Return the tips of the arrows in space, cm. If the body is at rest, they are at the origin.
   Eigen::Vector3d momentum_tip() const { return momentum_length * radius_ * up_; }
   Eigen::Vector3d omega_tip(const motion::Sample& sample) const {
     return scale_ * (sample.X * sample.omega);
   }
 
-  /// Return the length of the arrows of the axes and the radii of the shafts of all, in cm.
+  /// Return the length of the axes' arrows, and the radii of the shafts of all arrows, in cm.
   double axis_arrow_length() const { return axis_length * radius_; }
   double axis_shaft() const { return axis_shaft_ * radius_; }
   double momentum_shaft() const { return momentum_shaft_ * radius_; }
@@ -67,6 +67,8 @@ class BodyOverlay {
   Eigen::Vector3d trail_point_;
   Eigen::Vector3d up_;  ///< Unit vector L/|L| in space; 0 at rest.
   double scale_ = 0;    ///< Length in cm of omega's arrow for 1 rad/s.
+  /// Largest length in cm of omega's arrow, if the body is not rigid; otherwise 0.
+  double omega_reach_ = 0;
   double plane_height_ = 0;
   double omega_radius_ = 0;  ///< Largest distance in cm of the tip of omega's arrow from L.
   double plane_radius_ = 0;  ///< Radius in cm of the plane's disc.

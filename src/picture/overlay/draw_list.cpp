@@ -26,8 +26,9 @@ glm::vec4 paint_of(const Ink& ink) {
   return {f.x(), f.y(), f.z(), f.w()};
 }
 
-/// A light from above the camera's right shoulder, a weaker one from its left, and a highlight;
-/// less glossy than the body's metal. All vectors are unit vectors in camera axes.
+/// Lights the ink: a light from above the camera's right shoulder, a weaker one from its left, and
+/// a highlight. It is less glossy than the body's metal. All vectors are unit vectors in camera
+/// axes.
 Ink lit(const Ink& ink, const Vector3d& normal, const Vector3d& to_eye) {
   static const Vector3d key = Vector3d(0.45, 0.75, 0.5).normalized();
   static const Vector3d fill = Vector3d(-0.8, 0.1, 0.6).normalized();
@@ -61,7 +62,7 @@ void DrawList::begin(const Camera& camera, const image::Area& pane) {
   eye_ = -camera_from_space_.transpose() * camera.view.col(3).head<3>();
   half_size_ = 0.5 * Vector2d(pane.width, pane.height);
   scale_ = camera.projection(1, 1) * half_size_.y();
-  // At depth w, z / w in clip space is P23 / w and a constant, and the pane's height spans
+  // At depth w, z / w in clip space is P23 / w plus a constant, and the pane's height spans
   // 2 w / P11.
   clip_z_nearer_ = 2 * camera.projection(2, 3) / camera.projection(1, 1);
   vertices_.clear();
@@ -111,7 +112,7 @@ std::uint32_t DrawList::add_moved(std::uint32_t vertex, const Vector2d& pixels, 
   Vertex moved = vertices_[vertex];
   moved.clip.x += static_cast<float>(pixels.x() / half_size_.x()) * moved.clip.w;
   moved.clip.y += static_cast<float>(pixels.y() / half_size_.y()) * moved.clip.w;
-  constexpr float most = 8;  // of coverage, in the middle of a line of which this is one side
+  constexpr float most = 8;  // coverage in the middle of an imaginary line with this side
   moved.edge = {most - coverage, 0, most - 0.5F};
   vertices_.push_back(moved);
   return static_cast<std::uint32_t>(vertices_.size() - 1);
@@ -176,8 +177,9 @@ void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double
   soften_rim(first + rings * around, around);
 }
 
-/// Draws a closed ring of vertices about the origin in to where the edge_quads begin that are added
-/// along where it was. Not where some of it is behind the eye: there are no edge_quads there.
+/// Moves a closed ring of vertices about the origin inwards, to the inner side of the edge quads
+/// that are added along its former position. Does nothing if a part of the ring is behind the eye,
+/// where edge quads are impossible.
 void DrawList::soften_rim(std::uint32_t first, std::uint32_t count) {
   const Vector4d inside = clip(Vector3d::Zero());
   const auto rim = std::span(vertices_).subspan(first, count);

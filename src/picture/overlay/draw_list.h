@@ -42,7 +42,7 @@ class DrawList {
     /// For lines and dots: distance from the centre line in pixels, and half the width.
     glm::vec3 edge;
   };
-  /// The edge of items that are no lines.
+  /// The edge of items that are not lines.
   static constexpr glm::vec3 no_edge{0, 0, 1e6F};
 
   /// A point of a line.
@@ -69,10 +69,10 @@ class DrawList {
   /// Adds an antialiased line that faces the eye, with round ends if it is not closed.
   void line(std::span<const Point> points);
 
-  /// Adds a line on a halo of that colour, which keeps it visible against what is behind it.
+  /// Adds a line on a halo of that colour, which keeps it visible on any background.
   void line_on_halo(std::span<const Point> points, const Color& halo);
 
-  /// Returns by how many pixels a halo reaches beyond something that is so many pixels wide.
+  /// Returns how many pixels a halo extends beyond an object that is `width` pixels wide.
   static double halo_of(double width) { return std::max(0.4 * width, 1.0); }
 
   /// Adds an antialiased dot; `radius` in pixels.
@@ -87,8 +87,8 @@ class DrawList {
             const Ink& middle, const Ink& rim);
 
   /// Adds the near side of the ellipsoid about the origin that `space_from_unit` maps the unit
-  /// sphere to, shaded; its opacity rises to `rim` at the silhouette, as for a glass shell. Behind
-  /// the glass there is `ground`, not shaded.
+  /// sphere to. It is shaded, and its opacity rises to `rim` at the silhouette, as for a glass
+  /// shell. `ground` is the unshaded colour behind the glass.
   void ellipsoid(const Eigen::Matrix3d& space_from_unit, const Ink& ink, double rim,
                  const Ink& ground = {{}, 0});
 
@@ -101,16 +101,16 @@ class DrawList {
   /// Adds the screen areas of all items.
   void add_to(ScreenArea& area) const;
 
-  /// Returns what to add to z in clip space for items to be nearer to the eye by that share of the
+  /// Returns the value to add to z in clip space to move items towards the eye by that share of the
   /// pane's height.
   double clip_z_nearer(double share) const { return clip_z_nearer_ * share; }
 
   /// Return the triangles of all items.
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const Triangles& items() const { return items_; }
-  /// Returns arrows slightly larger than the arrows: their far sides are the arrows' outlines.
+  /// Returns arrows slightly larger than the arrows. Their far sides are the arrows' outlines.
   const Triangles& outlines() const { return outlines_; }
-  /// Returns plainer arrows of few triangles, for what is hidden of them.
+  /// Returns simpler arrows of few triangles, for the hidden parts of the arrows.
   const Triangles& ghosts() const { return ghosts_; }
 
  private:
@@ -159,9 +159,9 @@ class DrawList {
   Eigen::Matrix4d clip_from_space_ = Eigen::Matrix4d::Identity();
   Eigen::Matrix3d camera_from_space_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();
-  Eigen::Vector2d half_size_ = Eigen::Vector2d::Zero();  ///< Of the pane, in pixels.
+  Eigen::Vector2d half_size_ = Eigen::Vector2d::Zero();  ///< Half the pane's size, in pixels.
   double scale_ = 0;                                     ///< Pixels per unit length at distance 1.
-  double clip_z_nearer_ = 0;                             ///< For the pane's height.
+  double clip_z_nearer_ = 0;                             ///< Added to z for the pane's height.
   std::vector<Projected> run_;                           ///< Visible part of the line being added.
   std::vector<Vertex> vertices_;
   std::vector<std::size_t> things_;  ///< First vertex of each item.

@@ -17,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-// Facets: those of outlines are seen beside the arrows only, and ghosts are faint.
+// Numbers of facets: outlines are seen only beside the arrows, and ghosts are faint.
 constexpr std::uint32_t around_arrow = 28, around_outline = 16, around_ghost = 10;
 constexpr double outline_width = 0.3, least_outline = 1;  // radii of the shaft, pixels
 constexpr double outline_opacity = 0.9;
@@ -51,7 +51,7 @@ struct DrawList::Cone {
     const Vector3d n(length * std::cos(angle), length * std::sin(angle), base - top);
     return frame * n.normalized();
   }
-  /// The cone whose faces lie that far outside of this one's.
+  /// Returns the cone whose faces lie `by` outside of this one's.
   Cone grown(double by, const Ink& flat) const {
     const double slant = std::hypot(length, base - top);
     const double wider = by * slant / length, slope = by * (base - top) / length;
@@ -165,7 +165,8 @@ void DrawList::add_outline(const Cone& stem, const Cone& tip, double width) {
   base(tip.grown(width, outline), outlines_);
 }
 
-/// The stem is a line without its ramp, which would add to the edges of what is not hidden.
+/// The stem is a line narrowed by its ramp, which would otherwise add to the edges of the visible
+/// part.
 void DrawList::add_ghost(const Cone& stem, const Cone& tip) {
   const auto point = [&](double along) -> Point {
     const Vector3d axis = stem.from + along * stem.frame.col(2);

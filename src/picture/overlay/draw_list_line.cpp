@@ -14,8 +14,9 @@ using Eigen::Vector4d;
 
 }  // namespace
 
-/// Whether the line may go straight from `last`, which it left along `heading`, past `here`: it
-/// deviates from the arc by a sagitta of length * angle / 8, and its colour hardly changes.
+/// Returns whether the line may go straight from `last`, which it left along `heading`, past
+/// `here`. It then deviates from the arc by a sagitta of length * angle / 8, and its colour hardly
+/// changes.
 bool DrawList::may_skip(const Projected& last, const Vector2d& heading, const Projected& here,
                         const Projected& next) {
   constexpr double least_step = 0.5, most_astray = 0.1, most_change = 0.08;  // px, px, opacity
@@ -87,8 +88,8 @@ void DrawList::add_run(std::vector<std::uint32_t>& faces) {
   run_.clear();
 }
 
-/// Adds sides beyond the end of a line that make it round; `forwards` is 1 at its last point and -1
-/// at its first.
+/// Adds sides beyond the end of a line that make the end round. `forwards` is 1 at the last point
+/// of the line and -1 at its first.
 void DrawList::add_end(const Projected& here, const Vector2d& across, double forwards) {
   add_sides(here, across, forwards * Vector2d(across.y(), -across.x()));
 }

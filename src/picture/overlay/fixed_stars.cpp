@@ -14,15 +14,15 @@ namespace twrench::picture {
 namespace {
 
 constexpr int star_count = 260;
-constexpr double star_distance = 12;     // of the camera's from the body
+constexpr double star_distance = 12;     // in units of the camera's distance from the body
 constexpr double star_width = 3.4;       // px of the brightest, in a picture of 1080
 constexpr double brightest_star = 0.75;  // opacity
-constexpr double fading_streak = 12;     // widths, of which a streak is half as bright as a dot
+constexpr double fading_streak = 12;  // widths; a streak of this length is half as bright as a dot
 constexpr int streak_points = 5;
 
 }  // namespace
 
-/// They are spread evenly, each on a turn of a spiral from pole to pole.
+/// The stars are spread evenly, each on a turn of a spiral from pole to pole.
 FixedStars::FixedStars(const scene::Scene& scene)
     : color_(style_of(scene.look.theme).overlay.dim),
       half_open_(0.25 * scene.film.speed / scene.film.fps) {

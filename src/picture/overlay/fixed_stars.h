@@ -9,14 +9,13 @@
 
 namespace twrench::picture {
 
-/// Stars at rest in space. For a camera that goes along with a turning frame they take the place of
-/// the floor, and show how the world turns: as streaks, as long as the shutter is open.
+/// Stars at rest in space. If the camera moves with a rotating frame, they replace the floor and
+/// show how the world turns: each is a streak as long as the shutter is open.
 class FixedStars {
  public:
   explicit FixedStars(const scene::Scene& scene);
 
-  /// Adds the stars as `camera`, whose picture has that many pixels in height, sees them in
-  /// `frame`.
+  /// Adds the stars as seen in `frame` by `camera`, whose picture is `height` pixels high.
   void draw(const motion::RotatingFrame& frame, const Camera& camera, int height,
             DrawList& translucent) const;
 

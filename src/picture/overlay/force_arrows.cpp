@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 // As multiples of the body's radius.
 constexpr double longest_force = 0.5, shortest_force = 0.02, force_shaft = 0.013, small_part = 0.3,
                  off_the_end = 0.02;
-constexpr double long_axis = 0.5;  // of a part, compared with its longest
+constexpr double long_axis = 0.5;  // of a part, in units of its longest
 
 /// Returns the points of a part whose forces are shown.
 std::vector<ForceArrows::Point> shown_points(const body::Part& part, double radius) {

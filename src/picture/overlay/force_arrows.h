@@ -14,8 +14,8 @@ namespace twrench::picture {
 /// The forces on the parts of the body in the scene's frame of reference, as arrows that start at
 /// its equimomental points. All arrows of a film have one scale.
 ///
-/// Of each part, the points on its long axes are shown: the middles of a rod's ends, four on a
-/// disc, six in a ball. A part that is small is one point.
+/// For each part, the points on its long axes are shown: the middles of a rod's ends, four on a
+/// disc, six in a ball. A small part is shown as one point.
 class ForceArrows {
  public:
   /// `radius` is the bounding radius of the body in every pose, in cm.
@@ -30,8 +30,8 @@ class ForceArrows {
   /// A mass whose forces are shown. Lengths in cm, in body axes.
   struct Point {
     body::PointMass mass;
-    Eigen::Vector3d start;  ///< Where its arrows start: just off the end of a rod.
-    double clearance;       ///< By how much farther on they start, each in its own direction.
+    Eigen::Vector3d start;  ///< Start of its arrows: just off the end of a rod.
+    double clearance;       ///< Distance from there to the arrows, each in its own direction.
   };
   const std::vector<Point>& points() const { return points_; }
 

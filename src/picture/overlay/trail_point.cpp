@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The ends of a shape in its own frame: where it ends along a line through its centre of mass.
+/// Returns the ends of a shape in its own frame, along lines through its centre of mass.
 std::vector<Vector3d> ends_of(const body::Shape& shape) {
   const auto directions = traits_of(shape).ends;
   const Vector3d centre = body::centroid(shape);

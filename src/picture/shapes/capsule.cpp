@@ -22,7 +22,7 @@ bool holds(const body::Capsule& c, const Vector3d& point, double margin) {
   return std::hypot(std::hypot(point.x(), point.y()), beyond) <= c.radius + margin;
 }
 
-/// The poles are left out: the first and the last ring are half a step from them.
+/// The poles are omitted: the first and the last ring are half a step from them.
 Rings rings_of(const body::Capsule& capsule, double tolerance) {
   const int chords = chords_of_quarter(capsule.radius, tolerance, least_of_body);
   const double step = quarter / (chords + 0.5);

@@ -8,8 +8,9 @@ namespace twrench::picture {
 
 namespace {
 
-/// The corner of a cone's outline at its end -1 or +1, with that radius there. `slant` is the
-/// latitude of the side's normal. The arc is as far inside the side as inside the end.
+/// Returns the corner of a cone's outline at its end -1 or +1, where the cone has the radius
+/// `radius`. `slant` is the latitude of the side's normal. The arc is as far inside the side as
+/// inside the end.
 Arc rounded_end(double radius, double end, double height, double slant, double bevel, int chords) {
   const double across = radius - bevel * (1 - end * std::sin(slant)) / std::cos(slant);
   return {{across, end * (height - bevel)},
@@ -17,8 +18,8 @@ Arc rounded_end(double radius, double end, double height, double slant, double b
           end < 0 ? evenly_spaced(-quarter, slant, chords) : evenly_spaced(slant, quarter, chords)};
 }
 
-/// The same at a point, which is rounded so little that the cone keeps its height; the pole is left
-/// out.
+/// The same at a point, which is rounded so little that the cone keeps its height. The pole is
+/// omitted.
 Arc rounded_tip(double height, double slant, double widest_bevel, int chords) {
   const double sine = std::sin(slant);
   const double bevel = widest_bevel * std::min(1.0, sine / (1 - sine));
@@ -31,7 +32,7 @@ Arc rounded_tip(double height, double slant, double widest_bevel, int chords) {
 using Eigen::Vector3d;
 
 ShapeTraits traits(const body::Cone& c) {
-  // As wide as halfway up, which is about as much as it fills.
+  // The radius halfway up gives about the same volume.
   const double radius = (c.radius + c.top_radius) / 2;
   return {.outline = {radius, 0},
           .occluder = capsule_in_box({radius, radius, c.length / 2}),

@@ -8,9 +8,10 @@ namespace twrench::picture {
 using Eigen::Vector3d;
 
 ShapeTraits traits(const body::Cylinder& c) {
+  const AxisCapsule occluder = capsule_in_box(body::bounding_box(c).sizes() / 2);
   return {.outline = {c.radius, 0},
-          .occluder = capsule_in_box(body::bounding_box(c).sizes() / 2),
-          .has_round_side = true,
+          .occluder = occluder,
+          .has_round_side = occluder.axis == 2,
           .middle = {0, 0},
           .symmetry = of_revolution,
           .ends = Vector3d::UnitZ()};

@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How many of the widest circle's points a circle has as one: where the outline comes close to the
-/// axis, facets would be slivers.
+/// Returns how many points of the widest circle are merged into one point of a smaller circle.
+/// Without this, facets would be slivers where the outline comes close to the axis.
 int points_in_one(double radius, double widest, int around) {
   constexpr int least = 16;  // on a circle
   int step = 1;

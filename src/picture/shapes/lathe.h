@@ -19,8 +19,8 @@ inline constexpr int least_of_bevel = 2;
 
 inline constexpr double least_bevel = 12;  // in tolerances
 
-/// Returns how many chords a quarter of a circle of `radius` needs to stay within `tolerance` of
-/// it.
+/// Returns how many chords a quarter of a circle of `radius` needs to deviate by at most
+/// `tolerance`.
 int chords_of_quarter(double radius, double tolerance, int least);
 
 /// Returns the radius of a bevel, a share of half the smallest dimension.
@@ -31,14 +31,14 @@ double rim_bevel(double radius, double length, double tolerance);
 
 Eigen::Vector3d on_unit_sphere(double longitude, double latitude);
 
-/// The angles from `first` to `last`, both included.
+/// Returns angles from `first` to `last`, both included.
 std::vector<double> evenly_spaced(double first, double last, int count);
 
-/// The latitudes of the bevel at the end -1 or +1 of a shape, upwards.
+/// Returns the latitudes of the bevel at the end -1 or +1 of a shape, in ascending order.
 std::vector<double> bevel_latitudes(double end, int chords);
 
 /// An arc of the outline of a solid of revolution, in the half plane (distance from the axis, z).
-/// Straight lines lead from one to the next.
+/// Straight lines connect consecutive arcs.
 struct Arc {
   Eigen::Vector2d centre;
   double radius;

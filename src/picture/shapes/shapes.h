@@ -15,8 +15,8 @@
 
 namespace twrench::picture {
 
-/// How a shape curves near its silhouette, for the width of what it reflects there; means where the
-/// radii differ from place to place.
+/// How a shape curves near its silhouette, which determines the reflections there. If the radii
+/// vary, these are means.
 struct OutlineRadii {
   /// Radius of curvature.
   double radius;
@@ -31,8 +31,8 @@ struct AxisCapsule {
   double radius;
 };
 
-/// The middle of a wall: the side of a cylinder about the z axis, with the origin in its centre.
-/// The origin for a shape without a hole.
+/// The middle of a wall: the side of a cylinder about the z axis, centred at the origin. For a
+/// shape without a hole, the origin.
 struct Middle {
   double radius;
   double half_length;
@@ -59,8 +59,8 @@ inline const Eigen::Vector3d of_revolution{1, 1, 0};
 /// The symmetry of shapes that no rotation by a small angle maps to themselves.
 inline const Eigen::Vector3d asymmetric{1, 2, 3};
 
-/// Returns the capsule for a shape that fills about as much as a box with these half sizes: about
-/// the longest axis, with ends inset by half a radius.
+/// Returns the capsule for a shape that fills about as much as a box with these half sizes. It is
+/// along the longest axis, with ends inset by half a radius.
 AxisCapsule capsule_in_box(const Eigen::Vector3d& half_sizes);
 
 ShapeTraits traits_of(const body::Shape& shape);

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The rims of a wall are close together, and rounded more than others.
+/// The rims of a wall are close together and therefore rounded more than others.
 double wall_bevel(double wall, double length, double tolerance) {
   constexpr double share = 0.16, widest_share = 0.9;
   const double half = std::min(wall, length) / 2;

@@ -44,7 +44,7 @@ Eigen::Array2d half_sides(double aspect) {
   return {std::max(aspect, 1.0), std::max(1 / aspect, 1.0)};
 }
 
-/// What a picture should hold, in units of half its shorter side, y up.
+/// The extent of the contents of a picture, in units of half its shorter side, y up.
 using Extent = Eigen::AlignedBox2d;
 
 /// Returns the extent of the sphere and the points, with a margin.

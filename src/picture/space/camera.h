@@ -21,7 +21,7 @@ struct Camera {
   Eigen::Matrix3d camera_from_space() const { return view.topLeftCorner<3, 3>(); }
 };
 
-/// What a camera should have in view.
+/// The contents that a camera should have in view, and where.
 struct Framing {
   /// Direction from the origin to the eye, of any nonzero length.
   Eigen::Vector3d direction;
@@ -38,14 +38,13 @@ struct Framing {
   Eigen::Vector2d centre{0, 0};
 };
 
-/// Returns the camera whose picture holds the sphere with a small margin at the nearer pair of
-/// edges, so that it is fully in view at any aspect ratio if it lies in the middle. Space y points
-/// up in the picture; for a camera on the y axis, -z does.
+/// Returns the camera whose picture contains the sphere with a small margin at the nearer pair of
+/// edges. A centred sphere is therefore fully in view at any aspect ratio. Space y points up in the
+/// picture; for a camera on the y axis, -z does.
 Camera frame_sphere(const Framing& framing);
 
-/// Returns the framing from as near as possible, at least the distance 1, at which the sphere and
-/// all `points` are in view with a margin from each of the `directions`, and together in the
-/// middle.
+/// Returns the nearest framing, with a distance of at least 1, in which the sphere and all `points`
+/// are in view with a margin from each of the `directions`, and together centred.
 Framing fitted(const Framing& framing, std::span<const Eigen::Vector3d> directions,
                std::span<const Eigen::Vector3d> points);
 
@@ -57,19 +56,19 @@ Eigen::Vector2d pixel_of(const Camera& camera, const image::Area& pane,
 /// Returns the camera whose picture in `focus` is unchanged but extends to fill `pane`.
 Camera widened(const Camera& camera, const image::Area& focus, const image::Area& pane);
 
-/// Returns the camera on the way from one to another, by the share of the way that it has gone, 0
-/// to 1: it turns about the origin by the shortest way.
+/// Returns the camera on the way from one to another. `share`, 0 to 1, is the fraction of the way.
+/// The camera turns about the origin by the shortest way.
 Camera between(const Camera& from, const Camera& to, double share);
 
-/// Returns the camera for coordinates in space of a camera for those in a frame with the same
-/// origin, given the frame's attitude, space_from_frame.
+/// Converts a camera for coordinates in a frame to one for coordinates in space. The frame has the
+/// same origin and the attitude `space_from_frame`.
 Camera carried(const Camera& camera, const Eigen::Matrix3d& space_from_frame);
 
 /// Returns the unit vector from the origin to the eye; angles in rad.
 Eigen::Vector3d direction_of(double azimuth, double elevation);
 
-/// Returns such directions, close to each other, from `azimuth` through `angle`, at most one turn
-/// of which counts; only the first if the angle is 0.
+/// Returns closely spaced directions from `azimuth` through `angle`, at most one turn; only the
+/// first if the angle is 0.
 std::vector<Eigen::Vector3d> directions_along(double azimuth, double elevation, double angle);
 
 }  // namespace twrench::picture

@@ -55,8 +55,9 @@ Eigen::Array2d outermost(const std::vector<Eigen::Array2d>& points, const Eigen:
   return points[best];
 }
 
-/// Leaves out points that are inside the polygon of those that are outermost in some directions
-/// (Akl and Toussaint, "A Fast Convex Hull Algorithm", 1978): of many points, nearly all.
+/// Removes points inside the polygon of those that are outermost in some directions (Akl and
+/// Toussaint, "A Fast Convex Hull Algorithm", 1978). If there are many points, this removes nearly
+/// all.
 std::vector<Eigen::Array2d> outer_points(const std::vector<Eigen::Array2d>& points) {
   constexpr int directions = 16;
   if (points.size() < std::size_t{4} * directions) return points;
@@ -115,7 +116,7 @@ void ScreenArea::add(const Eigen::Vector4f& clip) {
   shapes_.back().points.emplace_back(Pixel(pane_.x, pane_.y) + (0.5 + 0.5 * place) * size);
 }
 
-/// The pixels of the pane that are touched; at least one.
+/// Returns the pixels of the pane between two points, at least one.
 image::Area ScreenArea::pixels_between(const Pixel& low, const Pixel& high) const {
   // Compared as doubles first: a point just in front of the eye's plane may be out of an int's
   // range.

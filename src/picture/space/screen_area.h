@@ -7,7 +7,7 @@
 
 namespace twrench::picture {
 
-/// The part of a pane that is covered by drawing: convex shapes, each given by points, grown by one
+/// The part of a pane that drawing covers: convex shapes, each given by points and grown by one
 /// pixel because GL may round differently.
 class ScreenArea {
  public:

@@ -18,7 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int cells = 16;  // of the grid whose cells have a point each, in a bounding radius
+constexpr int cells = 16;  // per bounding radius, of a grid with one point in each cell
 
 Vector3d place_of(const Mesh& mesh, std::uint32_t vertex) {
   const glm::vec3& place = mesh.vertices[vertex].position;
@@ -95,8 +95,8 @@ std::vector<int> BlurSampling::counts(std::span<const image::Area> areas, const 
   const double at_edge = 0.5 * step * (total - 1) * std::min(pane.width, pane.height);  // pixels
   const double apart = at_edge / total;
   const double scale = camera.projection(1, 1) * pane.height / (2 * camera.distance);  // px per cm
-  // The way of a point through a larger angle is too curved to be told by its ends. Something thin
-  // shows each pose by itself unless they are close together.
+  // The path of a point through a larger angle is too curved to be described by its ends. Separate
+  // poses of a thin part are visible unless they are close together.
   constexpr double largest_angle = 0.3;  // rad
   const double thin = std::max(4 * apart, 8.0);
   if (!(step * total < largest_angle) || thickness_ * scale < thin || camera.distance <= radius_) {

@@ -91,8 +91,8 @@ Camera BodyView::in_space(const Camera& camera, const timeline::FrameState& stat
   return carried(camera, frame_at(state.solutions[solution_].sample).attitude);
 }
 
-/// Returns the state with its earlier and blurred poses as they were in the frame, which has turned
-/// on since.
+/// Returns the state with its trail and its blurred poses as seen in the frame, which has turned
+/// since.
 timeline::SolutionState BodyView::relative(timeline::SolutionState instant) const {
   if (frame_ == scene::Frame::space) return instant;
   const Matrix3d now = frame_at(instant.sample).attitude;

@@ -10,14 +10,15 @@
 
 namespace twrench::picture {
 
-/// The rotating body, seen by the scene's camera, which may go along with a turning frame: a trail
-/// is then the path in that frame, and motion blur is that of the motion in it.
+/// The rotating body, seen by the scene's camera. If the camera moves with a turning frame, a trail
+/// is the path in that frame, and motion blur is that of the motion in it.
 class BodyView final : public View {
  public:
   /// The floor below the body.
   struct Floor {
     FloorStyle style;
-    /// Otherwise it keeps the colour of a flat background, and only shadow and reflection show it.
+    /// Whether it has the pool of light. If not, it keeps the colour of a flat background, and only
+    /// shadow and reflection show it.
     bool is_lit;
   };
 
@@ -37,7 +38,7 @@ class BodyView final : public View {
   const BodyModel& body() const { return body_; }
   /// Returns nothing without motion blur.
   const std::optional<BlurSampling>& sampling() const { return sampling_; }
-  /// Returns nothing where no floor is seen.
+  /// Returns nothing if no floor is seen.
   const std::optional<Floor>& floor() const { return floor_; }
 
  private:
@@ -53,11 +54,11 @@ class BodyView final : public View {
   BodyOverlay overlay_;
   std::optional<ForceArrows> forces_;
   scene::CameraPath path_;
-  Framing framing_;  ///< Chosen so that the overlay is in view too; its direction moves.
+  Framing framing_;  ///< Keeps the overlay in view too; its direction moves.
   BodyModel body_{};
   std::optional<BlurSampling> sampling_;
-  std::optional<Floor> floor_;       ///< For a camera at rest in space; otherwise
-  std::optional<FixedStars> stars_;  ///< these show how the world turns.
+  std::optional<Floor> floor_;       ///< For a camera at rest in space.
+  std::optional<FixedStars> stars_;  ///< For other cameras: shows how the world turns.
 };
 
 }  // namespace twrench::picture

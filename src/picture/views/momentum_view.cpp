@@ -12,11 +12,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int levels = 4;             // around each end of an axis
-constexpr int points_of_curve = 240;  // points of a curve
-constexpr double lifted = 1.002;      // lifts curves off the facets of the sphere
+constexpr int levels = 4;  // around each end of an axis
+constexpr int points_of_curve = 240;
+constexpr double lifted = 1.002;  // lifts curves off the facets of the sphere
 constexpr double axis_end = 1.24;
-constexpr double named = 1.12;  // times that, the position of an axis' name
+constexpr double named = 1.12;  // position of an axis' name, in units of axis_end
 
 /// The picture's axes, right-handed, with x to the right: the axis of least moment points up, and
 /// the intermediate one towards the viewer.
@@ -146,7 +146,7 @@ void MomentumView::add(const timeline::FrameState& state, ViewContents& contents
   add_axis_labels(contents);
   if (at_rest()) return;
   const bool compares = state.solutions.size() == 2;
-  // A is the one that counts, so it is drawn over B.
+  // A is the main motion and is therefore drawn over B.
   if (compares) add_momentum(state.solutions[1], "B", colors_.omega, contents);
   add_momentum(state_in(state), compares ? "A" : "L", colors_.momentum, contents);
 }

@@ -13,12 +13,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double elevation = 0.60;         // rad, of the camera above the plane
-constexpr double momentum_end = 1.34;      // of L's arrow
-constexpr double min_plane_radius = 0.95;  // radius
-constexpr int curve_points = 120;          // points of a curve
+constexpr double elevation = 0.60;     // rad, of the camera above the plane
+constexpr double momentum_end = 1.34;  // of L's arrow
+constexpr double min_plane_radius = 0.95;
+constexpr int curve_points = 120;
 
-/// With L up; the azimuth is arbitrary.
+/// Returns the rotation that makes L point up; the azimuth is arbitrary.
 Matrix3d with_up(const Vector3d& momentum) {
   if (momentum.isZero(0.0)) return Matrix3d::Identity();
   const Matrix3d frame = body::frame_with_z_along(momentum);
@@ -65,7 +65,7 @@ PoinsotView::PoinsotView(const scene::Scene& scene,
   for (const motion::Sample& sample : whole) herpolhode_.push_back(contact(sample));
 }
 
-/// Returns what a camera should have in view besides the ellipsoid.
+/// Returns points that a camera should have in view in addition to the ellipsoid.
 std::vector<Vector3d> PoinsotView::extent() const {
   if (at_rest()) return {};
   std::vector<Vector3d> points{{0, 1.1 * momentum_end, 0}};  // including its name

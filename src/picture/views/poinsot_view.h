@@ -40,7 +40,7 @@ class PoinsotView : public SolutionView {
   double unit_;
   /// Radii of the ellipsoid.
   Eigen::Vector3d radii_;
-  /// Of the herpolhode.
+  /// Radii of the herpolhode.
   motion::Annulus annulus_{0, 0};
   double plane_radius_;
   /// The full curve, unless it is too dense to be legible.

@@ -15,8 +15,8 @@ namespace twrench::picture {
 struct PrincipalFrame {
   PrincipalFrame(const motion::FreeBody& body, const OverlayColors& colors);
 
-  /// Rotation body_from_own: each axis has its largest component positive, so that the axes are
-  /// left-handed as often as not.
+  /// Rotation body_from_own. Each axis has a positive largest component, so the axes may be
+  /// left-handed.
   Eigen::Matrix3d axes;
   /// The body axis' colour, if the principal axis coincides with one.
   std::array<Color, 3> colors;

@@ -6,7 +6,7 @@
 
 namespace twrench::picture {
 
-/// What the views that show one motion in its body's principal axes have in common.
+/// Base of the views that show a motion in its body's principal axes.
 class SolutionView : public View {
  public:
   Viewpoint viewpoint(double video_time) const override;
@@ -24,7 +24,7 @@ class SolutionView : public View {
   bool at_rest() const { return frame_.direction.isZero(0.0); }
 
   /// Frames the sphere of that radius about the centre and the points. The camera starts at
-  /// `azimuth` and goes around as the scene's does; angles in rad.
+  /// `azimuth` and orbits like the scene's camera; angles in rad.
   void frame(double azimuth, double elevation, double radius, std::vector<Eigen::Vector3d> points);
 
   const timeline::SolutionState& state_in(const timeline::FrameState& frame) const {
@@ -34,7 +34,7 @@ class SolutionView : public View {
   /// Returns the width in pixels of a thin line in a pane of this size.
   double hairline() const;
 
-  /// Adds the name of what points from the centre to `tip`, if there is room for it.
+  /// Adds the name of an object that extends from the centre to `tip`, if there is room for it.
   void add_label(ViewContents& contents, const std::string& text, const Eigen::Vector3d& tip,
                  const Color& color) const;
 

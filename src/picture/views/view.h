@@ -39,11 +39,11 @@ struct ViewContents {
 struct Viewpoint {
   /// Direction of the eye, in rad; see direction_of().
   double azimuth, elevation;
-  /// How many times as large things are as the view frames them.
+  /// Magnification relative to the view's own framing.
   double zoom = 1;
 };
 
-/// Returns a view's framing as it is seen from there.
+/// Returns a view's framing as seen from `from`.
 Framing seen_from(Framing framing, const Viewpoint& from);
 
 /// A view of objects in space. It computes its contents and draws nothing.
@@ -54,8 +54,7 @@ class View {
 
   const Layout::Pane& pane() const { return pane_; }
 
-  /// Returns the camera at `video_time` seconds of video, since it may move, for coordinates in the
-  /// view's own frame.
+  /// Returns the camera at `video_time` seconds of video, for coordinates in the view's own frame.
   Camera camera(double video_time) const { return camera_from(viewpoint(video_time)); }
 
   /// Returns the same for coordinates in space.
@@ -66,7 +65,7 @@ class View {
   virtual Viewpoint viewpoint(double video_time) const = 0;
   virtual Camera camera_from(const Viewpoint& from) const = 0;
 
-  /// Returns the camera for coordinates in space of one for those in the view's own frame.
+  /// Converts a camera for coordinates in the view's own frame to one for coordinates in space.
   virtual Camera in_space(const Camera& camera, const timeline::FrameState& /*state*/) const {
     return camera;
   }

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One successful run, of a pair, and one that failed.
+/// A successful run and a failed one.
 study::Study small_study() {
   study::StudyPlan plan{
       {&motion::find_method("rkmk45"), &motion::find_method("rkmk4")}, {50}, {1e-8}, 0.1, 60};

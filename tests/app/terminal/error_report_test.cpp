@@ -66,8 +66,9 @@ TEST(ErrorReport, RemediesOfMotionsNameTheOptions) {
   EXPECT_EQ(remedy(step_too_long), "take a shorter --step");
   EXPECT_THAT(remedy(diverged), HasSubstr("a shorter --step, or a method"));
   EXPECT_EQ(remedy(too_many_steps), "take a longer --step or a shorter --duration");
-  EXPECT_EQ(remedy(out_of_steps),
-            "take a larger --tolerance, a shorter --duration or --method exact");
+  EXPECT_EQ(
+      remedy(out_of_steps),
+      "take a larger --tolerance or a shorter --duration, or --method exact for a rigid body");
   EXPECT_THAT(remedy(step_underflow), HasSubstr("a larger --tolerance"));
   EXPECT_THAT(remedy(too_many_flips), HasSubstr("a shorter --duration"));
 }

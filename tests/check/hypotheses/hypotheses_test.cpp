@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What is written of a row: a time, the four numbers of a quaternion, and rates.
+/// The numbers in a row of the file: a time, the four numbers of a quaternion, and rates.
 struct Written {
   double t;
   Eigen::Vector4d q;
@@ -32,7 +32,7 @@ Eigen::Vector4d wxyz(const Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}
 
 Written as_told(const Row& row) { return {row.t, wxyz(Quaterniond(row.X)), row.omega}; }
 
-/// A file of times, quaternions and rates, as `write` makes them of a row.
+/// A file of times, quaternions and rates, as `write` makes them from a row.
 class QuaternionFile {
  public:
   template <typename Write>
@@ -48,7 +48,7 @@ class QuaternionFile {
 
   std::filesystem::path path() const { return folder_ / "file.csv"; }
 
-  /// What fits, where it is read as w, x, y, z, space from body, rad/s of the body.
+  /// The readings that fit if the file is read as w, x, y, z, space from body, rad/s of the body.
   std::vector<Reading> fitting(bool has_attitude = true,
                                const Problem& problem = tumbling_problem()) const {
     return alternatives(path(), problem, told(has_attitude)).fitting;
@@ -68,7 +68,7 @@ class QuaternionFile {
 };
 
 TEST(Alternatives, AreNoneOfWhatIsRightAsItIs) {
-  // Then nobody asks; nothing else fits.
+  // The file fits as it is read, so nothing else is proposed.
   EXPECT_THAT(QuaternionFile(as_told).fitting(), IsEmpty());
 }
 
@@ -105,7 +105,7 @@ TEST(Alternatives, RatesInSpace) {
   EXPECT_EQ(fitting[0].convention.columns, QuaternionFile::told().columns);
 }
 
-// Every unit of times with every unit of rates: the file is told to be in s and rad/s.
+// Every unit of times with every unit of rates; the file is read in s and rad/s.
 TEST(Alternatives, UnitsOfTimesAndRates) {
   for (const TimeUnitName& time : time_units()) {
     for (const RateUnitName& rate : rate_units()) {
@@ -119,15 +119,15 @@ TEST(Alternatives, UnitsOfTimesAndRates) {
       for (const bool has_attitude : {false, time.unit == TimeUnit::ms}) {
         const auto fitting = file.fitting(has_attitude);
         ASSERT_FALSE(fitting.empty()) << time.option << rate.option;
-        // Only the product is seen: revolutions a minute against minutes are those a second
-        // against seconds.
+        // Only the product is determined: revolutions per minute with times in minutes are
+        // revolutions per second with times in seconds.
         for (const Reading& reading : fitting) {
           EXPECT_NEAR(name_of(time_unit(reading.convention)).in_s *
                           name_of(rate_unit(reading.convention)).in_rad_s /
                           (time.in_s * rate.in_rad_s),
                       1, 1e-12);
         }
-        // With the angular velocity, both are seen.
+        // With the angular velocity, both are determined.
         Problem problem = tumbling_problem();
         problem.omega = omega;
         const auto told = file.fitting(has_attitude, problem);
@@ -139,7 +139,8 @@ TEST(Alternatives, UnitsOfTimesAndRates) {
   }
 }
 
-// All permutations and signs: one is found that the physics cannot tell from the right one.
+// For all permutations and signs, axes are found that the physics cannot distinguish from the right
+// ones.
 TEST(Alternatives, AxesOfTheBody) {
   for (const BodyAxes& axes : all_body_axes()) {
     const Matrix3d P = axes.matrix();
@@ -178,7 +179,7 @@ TEST(Alternatives, SayWhatIsNearestWhereNoneFits) {
   EXPECT_THAT(file.fitting(), IsEmpty());
 }
 
-// An engineer's slip in a moment is found, from 1 % to a factor of two.
+// A mistake in a moment of inertia is found, from 1 % to a factor of two.
 TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
   for (const Vector3d& told :
        {Vector3d(2, 3.03, 4), Vector3d(2, 3.3, 4), Vector3d(2, 2.5, 4), Vector3d(4, 3, 4.1)}) {
@@ -230,7 +231,7 @@ TEST(BetterReadings, BlameNoBodyForErrors) {
   EXPECT_THAT(found.fitting, IsEmpty());
 }
 
-// What the columns state is not varied.
+// Units that the columns state are not varied.
 TEST(Alternatives, DoNotContradictTheFile) {
   const ScratchFolder folder;
   std::string text = "t_ms,p_deg_s,q_deg_s,r_deg_s\n";

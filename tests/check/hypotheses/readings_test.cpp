@@ -34,7 +34,7 @@ TEST(Misfit, SaysNothingOfASteadyMotion) {
   EXPECT_FALSE(misfit(inertia, rows, false, true).attitude);
 }
 
-// Constant rates, where Euler's equations change them.
+// Rates that are constant although Euler's equations change them.
 TEST(Misfit, IsLargeWhereWhatShouldChangeDoesNot) {
   std::vector<Row> rows = exact_rows(128, 0.05);
   for (Row& row : rows) row.omega = omega;
@@ -44,7 +44,7 @@ TEST(Misfit, IsLargeWhereWhatShouldChangeDoesNot) {
   EXPECT_FALSE(misfit(inertia, exact_rows(128, 0.05), true, false).constant_rates);
 }
 
-// A first-order method with a step as long as games take still follows the motion.
+// A first-order method with a step as long as in games still follows the motion.
 TEST(Misfit, ForgivesACoarseMethod) {
   std::vector<Row> rows;
   Vector3d w = omega;
@@ -61,7 +61,7 @@ TEST(OnlyFitting, IsNoneWhereTwoFit) {
   const Reading good{convention, {0.01, {}}}, bad{convention, {0.9, {}}};
   EXPECT_TRUE(only_fitting({bad, good, bad}));
   EXPECT_FALSE(only_fitting({bad, good, good}));
-  // Both would pass for what a coarse method makes, but one is far better.
+  // Both could come from a coarse method, but one is far better.
   const Reading fair{convention, {0.1, {}}};
   EXPECT_TRUE(only_fitting({fair, good, bad}));
   EXPECT_FALSE(only_fitting({bad, bad}));

@@ -23,7 +23,7 @@ Resolution resolution_of(const std::vector<std::string>& texts, double unit = 1)
   return digits.resolution(unit);
 }
 
-/// The values of a rate, written by a format of fmt.
+/// Values of a rate, written with a format of fmt.
 std::vector<std::string> written(const std::string& format, double amplitude = 50) {
   std::vector<std::string> texts;
   for (int i = 0; i < 500; ++i) {
@@ -63,11 +63,11 @@ TEST(Digits, OfSinglePrecisionAreNotMoreThanThoseOfFloats) {
   const Resolution resolution = resolution_of<Digits>(texts);
   EXPECT_DOUBLE_EQ(resolution.at(1.5), std::numeric_limits<float>::epsilon());
   EXPECT_DOUBLE_EQ(resolution.at(30), 16 * double(std::numeric_limits<float>::epsilon()));
-  // Numbers that are floats by chance are not.
+  // Numbers that are floats by chance do not count.
   EXPECT_LT(resolution_of<Digits>({"0.5000000000", "0.2500000000"}).at(0.5), 1e-9);
 }
 
-// As NASA's simulator 01 was converted: 12 digits of rad/s, in deg/s with 17.
+// As in NASA's simulator 01: 12 digits of rad/s, converted to deg/s with 17.
 TEST(Digits, ThatAChangeOfTheUnitAddedDoNotCount) {
   for (const double factor :
        {57.295779513, 180 / 3.14159265358979323846, 57.3, 0.017453292519943295, 1.0}) {
@@ -80,7 +80,7 @@ TEST(Digits, ThatAChangeOfTheUnitAddedDoNotCount) {
     EXPECT_NEAR(resolution.at(0.2 * factor), 1e-12 * factor, 1e-15 * factor) << factor;
     EXPECT_NEAR(resolution.at(0.02 * factor), 1e-13 * factor, 1e-16 * factor) << factor;
   }
-  // Few numbers tell nothing: these are what they are.
+  // There are too few numbers to decide, so all digits count.
   EXPECT_LT(resolution_of<Digits>({"0.50000000000000000", "1.5000000000000000"}).at(1), 1e-15);
 }
 

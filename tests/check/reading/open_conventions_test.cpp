@@ -25,7 +25,7 @@ table::Header header_of(Names names, Names units = {}) {
   return {"run.csv", std::move(names), std::move(units)};
 }
 
-/// What each reading says of the columns, as the user would.
+/// The columns of each reading, as the user would give them.
 Names readings_of(const Names& names, const std::string& said = {}) {
   Convention told;
   told.columns = parse_columns(said, "columns");
@@ -138,8 +138,9 @@ TEST(Conventions, FindTheUsualNamesOfTimes) {
     EXPECT_THAT(readings_of({name, "p", "q", "r"}),
                 ElementsAre(StartsWith(std::string("t=") + name)));
   }
-  // It may count anything.
-  EXPECT_THAT(refusal({"timestamp", "p", "q", "r"}), HasSubstr("no column has a name of the time"));
+  // A timestamp may count anything.
+  EXPECT_THAT(refusal({"timestamp", "p", "q", "r"}),
+              HasSubstr("no column is recognised as the time"));
 }
 
 TEST(Conventions, PutOurOwnNamesBeforeOthers) {
@@ -251,10 +252,10 @@ TEST(Conventions, LeaveTheSequenceOfEulerAnglesOpen) {
 TEST(Conventions, TakeWhatWasSaid) {
   EXPECT_THAT(readings_of({"a", "b", "c", "d", "qw", "qx", "qy", "qz"}, "t=a,wx=b,wy=C,wz=#4"),
               ElementsAre("t=a,wx=b,wy=c,wz=d"));
-  // The time is found, and nothing else beside the rates that were said.
+  // The time is detected; beside the given rates, nothing else is.
   EXPECT_THAT(readings_of({"time", "a", "b", "c", "qw", "qx", "qy", "qz"}, "wx=a,wy=b,wz=c"),
               ElementsAre("t=time,wx=a,wy=b,wz=c"));
-  // What is left out of a set has our name.
+  // Columns that are not given have our names.
   EXPECT_THAT(readings_of({"t", "wx", "WY", "r"}, "wz=r"), ElementsAre("t=t,wx=wx,wy=WY,wz=r"));
   EXPECT_THAT(readings_of({"a", "p", "q", "r"}, "t=a"), ElementsAre("t=a,wx=p,wy=q,wz=r"));
 }
@@ -263,13 +264,13 @@ TEST(Conventions, SayWhatIsMissing) {
   EXPECT_THAT(refusal({"t", "wx", "wy"}), AllOf(HasSubstr("it has 'wx', 'wy', but nothing for wz"),
                                                 HasSubstr("its columns are: t, wx, wy")));
   EXPECT_THAT(refusal({"t", "qx", "qy", "qz"}), HasSubstr("nothing for qw"));
-  EXPECT_THAT(refusal({"wx", "wy", "wz"}), HasSubstr("no column has a name of the time"));
+  EXPECT_THAT(refusal({"wx", "wy", "wz"}), HasSubstr("no column is recognised as the time"));
   EXPECT_THAT(refusal({"t", "energy"}),
               HasSubstr("no columns have names of rates or of an attitude"));
   EXPECT_THAT(refusal({"t", "p", "q", "r"}, "wx=p,wy=q"),
-              HasSubstr("a column is named for wy, but none for wz"));
+              HasSubstr("columns are given for wy, but not for wz"));
   EXPECT_THAT(refusal({"t", "a", "p", "q", "r"}, "yaw=p,pitch=q,roll=r,qw=a,qx=p,qy=q,qz=r"),
-              HasSubstr("named for the quaternion and for the Euler angles"));
+              HasSubstr("given both for the quaternion and for the Euler angles"));
 }
 
 TEST(Conventions, SayWhatTheFileHasNot) {
@@ -280,7 +281,7 @@ TEST(Conventions, SayWhatTheFileHasNot) {
   EXPECT_THAT(refusal({"time", "p", "q", "r"}, "t=#0"), HasSubstr("no column '#0' for t"));
 }
 
-// As in NASA's files: only who selects such a column is asked which is meant.
+// As in NASA's files. Only a user who selects such a column is asked which one is meant.
 TEST(Conventions, AskWhichOfTwoColumnsIsMeant) {
   EXPECT_THAT(readings_of({"t", "v", "p", "q", "r", "v"}), ElementsAre("t=t,wx=p,wy=q,wz=r"));
   EXPECT_THAT(refusal({"t", "v", "p", "q", "r", "v"}, "t=v"),
@@ -290,7 +291,7 @@ TEST(Conventions, AskWhichOfTwoColumnsIsMeant) {
   EXPECT_THAT(refusal({"t", "p", "q", "r", "p"}),
               HasSubstr("two columns could be wx: 'p' (#2) and 'p' (#5)"));
   EXPECT_THAT(refusal({"t", "p", "q", "r"}, "wx=p,wy=p,wz=r"),
-              HasSubstr("the column 'p' is named for wx and for wy"));
+              HasSubstr("the column 'p' is used for both wx and wy"));
 }
 
 TEST(Conventions, TakeTheUnitFromTheNames) {
@@ -328,20 +329,20 @@ TEST(Conventions, KnowEveryUnit) {
   Convention said;
   said.time_unit = TimeUnit::s;
   EXPECT_THAT(refusal(header_of({"t_ms", "wx", "wy", "wz"}), said),
-              HasSubstr("the column 't_ms' states ms, but s was said"));
+              HasSubstr("the column 't_ms' states ms, but s is given"));
 }
 
 TEST(Conventions, RefuseUnitsThatContradict) {
   Convention said;
   said.rate_unit = RateUnit::rad_s;
   EXPECT_THAT(refusal(header_of({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), said),
-              HasSubstr("the column 'p_deg_s' states deg, but rad was said"));
+              HasSubstr("the column 'p_deg_s' states deg, but rad is given"));
   EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"s", "deg/s", "rad/s", "deg/s"}), {}),
               HasSubstr("'wy' states rad, but deg is stated by another"));
   EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"s", "gon/s", "gon/s", "gon/s"}), {}),
-              HasSubstr("is in gon, which is not read"));
+              HasSubstr("is in gon, which is not supported"));
   EXPECT_THAT(refusal(header_of({"t", "yaw_rpm", "pitch_rpm", "roll_rpm"}), {}),
-              HasSubstr("is in rpm, which is not read"));
+              HasSubstr("is in rpm, which is not supported"));
   said.rate_unit = RateUnit::deg_s;
   EXPECT_EQ(conventions(header_of({"t", "p_deg_s", "q_deg_s", "r_deg_s"}), said).front().rate_unit,
             RateUnit::deg_s);
@@ -363,7 +364,7 @@ TEST(Conventions, NoticeRatesInSpaceAxes) {
       {});
   ASSERT_THAT(all, SizeIs(1));
   EXPECT_TRUE(all.front().rates_in_space);
-  // In axes of inertial space, or of the body against it?
+  // In the axes of inertial space, or in the body's and relative to it?
   EXPECT_THAT(readings_of({"t", "qw", "qx", "qy", "qz", "omega_inertial_x", "omega_inertial_y",
                            "omega_inertial_z"}),
               ElementsAre("t=t,qw=qw,qx=qx,qy=qy,qz=qz"));

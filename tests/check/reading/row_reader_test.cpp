@@ -29,7 +29,7 @@ using testing::StartsWith;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The reader of a text by the only convention that its names leave, with what is said.
+/// A reader of the text by the only convention that its names and `said` leave open.
 RowReader reader_of(std::string_view text, const Convention& said = {}) {
   auto table = table::open_table("run.csv", text);
   const auto all = conventions(table->header(), said);
@@ -90,14 +90,14 @@ TEST(RowReader, ConvertsUnits) {
   EXPECT_TRUE(minute.omega.isApprox(360 * degree * Eigen::Vector3d(1, 0, -0.5), 1e-15));
 }
 
-// What is rotated in a file is rotated back: rates, matrices, and rates in space axes.
+// Quantities that are rotated in a file are rotated back: rates, matrices, and rates in space axes.
 TEST(RowReader, TakesTheFilesAxesToTheBodys) {
   const Eigen::Vector3d omega(1, 2, 3);
   const Eigen::Matrix3d X = rotation_by_euler_angles({2, 1, 0}, std::array{0.3, 0.5, -0.7});
   for (const BodyAxes& axes : all_body_axes()) {
     const Eigen::Matrix3d P = axes.matrix();
     const Eigen::Vector3d rates = P * omega;
-    // Where the file is left-handed, its space is too.
+    // If the file's body axes are left-handed, its space axes are, too.
     const Eigen::Matrix3d attitude = P.determinant() * X * P.transpose();
     for (const bool in_space : {false, true}) {
       const Eigen::Vector3d w = in_space ? Eigen::Vector3d(attitude * rates) : rates;
@@ -118,7 +118,7 @@ TEST(RowReader, TakesTheAttitudeOfAPartToThatOfTheBody) {
   Convention said;
   said.offset = Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()));
   const Eigen::Quaterniond body(Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitY()));
-  // A turn of the part's axes into the body's, and of these into those of space.
+  // Takes the part's axes to the body's, and these to those of space.
   const Eigen::Quaterniond part = body * *said.offset;
   const Row row = rows_of(fmt::format("t,qw,qx,qy,qz\n0,{:.17g},{:.17g},{:.17g},{:.17g}\n",
                                       part.w(), part.x(), part.y(), part.z()),
@@ -138,7 +138,7 @@ TEST(RowReader, ReadsMatrices) {
   EXPECT_EQ(rows_of(text, said)[0].X, Eigen::Matrix3d(rows[0].X.transpose()));
 }
 
-// By SciPy 1.10: Rotation.from_quat([0.1, -0.2, 0.3, 0.9]).as_matrix()
+// Values of SciPy 1.10: Rotation.from_quat([0.1, -0.2, 0.3, 0.9]).as_matrix()
 TEST(RowReader, ReadsQuaternions) {
   const double length = std::sqrt(0.95);
   std::string text = "t,qx,qy,qz,qw\n0";
@@ -153,8 +153,8 @@ TEST(RowReader, ReadsQuaternions) {
   EXPECT_NEAR(rows_of("t,qw,qx,qy,qz\n0,1.05,0,0,0\n")[0].orthogonality_error, 0.1025, 1e-15);
 }
 
-// By SciPy 1.10: Rotation.from_euler(SEQUENCE, angles).as_matrix() with capital letters, which turn
-// about the body's axes, for yaw 0.3, pitch -0.5, roll 1.1.
+// Values of SciPy 1.10: Rotation.from_euler(SEQUENCE, angles).as_matrix() with capital letters,
+// which turn about the body's axes, for yaw 0.3, pitch -0.5, roll 1.1.
 TEST(RowReader, ReadsEverySequenceOfEulerAngles) {
   const std::map<std::string, std::array<double, 9>> expected{
       {"zyx",
@@ -246,7 +246,7 @@ TEST(RowReader, RefusesWhatIsNoRotation) {
   EXPECT_THAT(
       refusal(matrix + "1,1,0,0,0,1,0,0,0,-1\n"),
       AllOf(StartsWith(
-                "run.csv:3: the matrix: it is a reflection and no rotation: its determinant is -1"),
+                "run.csv:3: the matrix: it is a reflection, not a rotation: its determinant is -1"),
             HasSubstr("right-handed")));
   EXPECT_THAT(refusal(matrix + "1,1,0,0,1,0,0,0,0,1\n"), HasSubstr("the matrix: it is singular"));
   EXPECT_THAT(refusal(matrix + "1,0,0,0,0,0,0,0,0,0\n"),
@@ -256,7 +256,8 @@ TEST(RowReader, RefusesWhatIsNoRotation) {
               HasSubstr("its rows have the lengths 1, 1 and 1e+04 instead of 1"));
   EXPECT_THAT(refusal("t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,1,1,1\n"),
               StartsWith("run.csv:3: the quaternion: its length is 2 instead of 1"));
-  EXPECT_THAT(refusal("t,qw,qx,qy,qz\n0,0,0,0,0\n"), HasSubstr("it is zero, which is no attitude"));
+  EXPECT_THAT(refusal("t,qw,qx,qy,qz\n0,0,0,0,0\n"),
+              HasSubstr("it is zero, which is not a valid attitude"));
   EXPECT_THAT(refusal("t,qw,qx,qy,qz\n0,1e200,1e200,0,0\n"),
               HasSubstr("its length is 1.41421e+200"));
 }
@@ -278,7 +279,7 @@ TEST(RowReader, TellsHowManyDigitsTheFileHas) {
   EXPECT_LT(reader.time_resolution().at(1), 1e-15);
 }
 
-/// A file of NASA's (nasa/README.md) by the names of its columns.
+/// Reads one of NASA's files (nasa/README.md) by the names of its columns.
 RowReader nasa_reader(const std::string& name) {
   const std::filesystem::path file = std::filesystem::path(TWRENCH_TESTS_DIR) / "check/nasa" / name;
   const auto header = table::open_table(file)->header();
@@ -307,7 +308,7 @@ TEST(RowReader, NoticesWhichDigitsOfNasasFilesAreTrue) {
   RowReader other = nasa_reader("tumbling_brick_sim_01.csv");
   rows_of(other);
   EXPECT_LT(other.time_resolution().at(0.2), 1e-16);
-  // Written with 16 digits of deg/s, which were made of 12 of rad/s.
+  // Written with 16 digits of deg/s, converted from 12 digits of rad/s.
   EXPECT_NEAR(other.rate_resolution().at(0.2), 1e-12, 1e-20);
 }
 

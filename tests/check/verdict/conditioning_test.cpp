@@ -30,7 +30,7 @@ TEST(ErrorGrowth, AboutTheIntermediateAxisIsThatOfTheLinearisedMotion) {
   }
 }
 
-// omega does not change about the axis of a sphere, and the attitude by the error times t.
+// On a sphere, an error of omega remains constant, and the attitude is off by this error times t.
 TEST(ErrorGrowth, OfASphereIsOneForRatesAndTForTheAttitude) {
   const motion::FreeBody body(Eigen::Matrix3d::Identity(), Vector3d(0.1, 0.2, 0.3));
   const std::vector<double> times{1, 10, 100};
@@ -41,8 +41,8 @@ TEST(ErrorGrowth, OfASphereIsOneForRatesAndTForTheAttitude) {
   }
 }
 
-// Where an error of the size in question decides on which side of the separatrix the body is, it
-// grows to the whole motion and no further.
+// If the initial error decides on which side of the separatrix the body is, it grows to the size of
+// the motion and no further.
 TEST(ErrorGrowth, OfALargeErrorDoesNotPassTheMotionItself) {
   const motion::FreeBody body(moments.asDiagonal(), Vector3d(1e-9, 1, 1e-9));
   const std::vector<double> times{200};

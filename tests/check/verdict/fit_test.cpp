@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Independent noise of the given deviations on rates and attitudes.
+/// Exact rows with independent noise of the given standard deviations.
 std::vector<Row> noisy(double of_rates, double of_attitude, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -39,8 +39,8 @@ TEST(Fit, FindsTheStateAndHowWellItIsKnown) {
   EXPECT_EQ(found.reference.start, 5);
 }
 
-// Over many files the errors are as large as the covariance says: their mean square in units of it
-// is the number of parameters.
+// Over many files the errors match the covariance: in units of it, their mean square is the number
+// of parameters.
 TEST(Fit, TellsTheCovarianceThatErrorsHave) {
   double squares = 0;
   constexpr unsigned files = 20;

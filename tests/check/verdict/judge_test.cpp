@@ -1,4 +1,4 @@
-// Judgements of motions whose errors are known, since the test made them.
+// Judgements of motions whose errors are known, because the test made them.
 #include "check/verdict/judge.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ std::vector<Row> with(std::vector<Row> rows, const std::function<void(Row&)>& ch
   return rows;
 }
 
-// The references are of another program, with 60 digits.
+// Another program computed the references with 60 digits.
 TEST(Judge, CannotFaultTheReferences) {
   for (const motion::ReferenceCase& reference : motion::reference_cases()) {
     std::vector<Row> rows;
@@ -67,7 +67,8 @@ TEST(Judge, TellsADelay) {
   EXPECT_FALSE(judgement.within_digits);
 }
 
-// A clock that is 1e-5 too slow, with the attitude: it lags, and turns about no wrong axis.
+// A clock that is 1e-5 too slow, with attitudes: the motion lags, but does not turn about a wrong
+// axis.
 TEST(Judge, TellsADelayThatGrows) {
   const motion::ExactMotion exact(tumbling_body());
   const std::vector<Row> slow =
@@ -80,7 +81,7 @@ TEST(Judge, TellsADelayThatGrows) {
   EXPECT_LT(judgement.parts->tilt, 1e-12);
 }
 
-// Many times around, the delay is still counted in full.
+// The delay is still counted in full after many flips.
 TEST(Judge, FollowsADelayOverWholeFlips) {
   const motion::ExactMotion exact(tumbling_body());
   const double interval = exact.flips()->interval;
@@ -90,7 +91,7 @@ TEST(Judge, FollowsADelayOverWholeFlips) {
   EXPECT_NEAR(judgement.parts->delay_at_end, 0.04 * 400, 1e-6);
 }
 
-// The same time on another polhode.
+// The same phase on another polhode.
 TEST(Judge, TellsAScale) {
   const std::vector<Row> rows = with(exact_rows(), [](Row& row) { row.omega *= 1 + 1e-6; });
   Problem problem = tumbling_problem();
@@ -120,7 +121,7 @@ TEST(Judge, TellsAnAngleAboutLFromATiltOfIt) {
   EXPECT_LT(*about.direction_drift, 1e-9);
 }
 
-// As in a file whose attitude is against the surface of the Earth.
+// As in a file whose attitude is relative to the surface of the Earth.
 TEST(Judge, SeesThatAnAttitudeIsAgainstAFrameThatTurns) {
   const Vector3d rate(1e-5, 2e-5, -7e-5);
   const std::vector<Row> rows =
@@ -152,14 +153,14 @@ TEST(Judge, TakesASpaceFrameOfTheFilesOwn) {
   EXPECT_TRUE(judged(rows, Parts::both, tumbling_problem()).within_digits);
 }
 
-// Of a first attitude that is tilted by mistake, all others tell.
+// The first attitude is tilted by mistake, and all others reveal it.
 TEST(Judge, TakesTheFrameFromTheMomentum) {
   const Vector3d across = (moments.asDiagonal() * omega).unitOrthogonal();
   std::vector<Row> rows = exact_rows(4001, 0.01);
   rows[0].X = so3::exp(1e-3 * across) * rows[0].X;
   Problem problem = tumbling_problem();
   EXPECT_NEAR(judged(rows, Parts::both, problem).attitude->rms, 1e-3, 1e-5);
-  problem.frame = FrameFrom::momentum;
+  problem.frame = FrameSource::momentum;
   EXPECT_LT(judged(rows, Parts::both, problem).attitude->rms, 2e-5);
   EXPECT_NEAR(judged(rows, Parts::both, problem).attitude->max, 1e-3, 1e-6);
 }
@@ -218,7 +219,7 @@ TEST(Judge, LetsRoundedDigitsPass) {
   }
 }
 
-// Of Euler angles with six significant digits the large ones have three decimals of a degree.
+// With six significant digits, large Euler angles have three decimals of a degree.
 TEST(Judge, LetsRoundedEulerAnglesPass) {
   std::string text = "t,yaw,pitch,roll,wx,wy,wz\n";
   for (const Row& row : exact_rows()) {
@@ -240,7 +241,7 @@ TEST(Judge, LetsRoundedEulerAnglesPass) {
   EXPECT_FALSE(judgement.attitude_contradicts_rates);
 }
 
-// Computed with 12 digits, turned and then printed with 17.
+// Rates computed with 12 digits, turned, and printed with 17.
 TEST(Judge, FindsTheDigitsThatAProgramReallyHas) {
   const Matrix3d turn = so3::exp(Vector3d(0.3, 0.2, 0.1));
   const auto round = [](double x) { return std::round(x * 1e12) / 1e12; };
@@ -252,15 +253,15 @@ TEST(Judge, FindsTheDigitsThatAProgramReallyHas) {
   EXPECT_NEAR(rounded.digits.rate, 1e-12, 0.3e-12);
   EXPECT_LT(rounded.digits.printed_rate, 1e-14);
 
-  // An error of the same size that is smooth, as of a method, is no digit.
+  // A smooth error of the same size, as of a method, is not rounding.
   rows = with(exact_rows(), [](Row& row) { row.omega[0] += 1e-12 * row.t * std::sin(row.t); });
   const Judgement wrong = judged(rows, Parts::rates, tumbling_problem());
   EXPECT_FALSE(wrong.within_digits);
   EXPECT_LT(wrong.digits.rate, 1e-14);
 }
 
-// The last digit of the first row is not the error of the program that wrote it: beside the
-// separatrix it decides when the body flips.
+// Rounding of the first row is not an error of the program that wrote it. Near the separatrix, the
+// last digit decides when the body flips.
 TEST(Judge, KnowsHowFarADigitGrows) {
   const Vector3d start(1.2345678e-6, 1, 1.7654321e-6);
   const motion::ExactMotion exact({moments.asDiagonal(), start});
@@ -305,7 +306,7 @@ TEST(Judge, KeepsNoMoreThanSomeSpansOfAnyNumberOfRows) {
   rows[12'345].omega[1] += 1e-3;
   const Judgement judgement = judged(rows, Parts::rates, tumbling_problem());
   EXPECT_EQ(judgement.rows, 20'000U);
-  EXPECT_LE(judgement.course.size(), Course::most);
+  EXPECT_LE(judgement.course.size(), ErrorHistory::most);
   EXPECT_EQ(judgement.course.back().last.t, rows.back().t);
   double most = 0;
   for (const Span& span : judgement.course) most = std::max(most, span.rate_error);

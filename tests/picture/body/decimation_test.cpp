@@ -34,7 +34,7 @@ TEST(Decimation, LeavesAsManyTrianglesAsTheToleranceAsksFor) {
     expect_closed(mesh);
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
       const auto place = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]].position; };
-      // In the middle of a triangle it may deviate more than at the vertices that were there.
+      // In the middle of a triangle, the deviation may exceed that at the removed vertices.
       ASSERT_GT(glm::length(place(0) + place(1) + place(2)) / 3, radius - 3 * tolerance);
     }
   }

@@ -46,7 +46,7 @@ Facets facets_seen_from(const Mesh& mesh, const glm::vec3& eye) {
   return visible_facets(mesh, eye, seen);
 }
 
-/// The directed edges of triangles that have no partner.
+/// Returns the directed edges of triangles that have no partner.
 std::set<Edge> borders(const std::vector<std::uint32_t>& indices) {
   std::set<Edge> result;
   for (std::size_t i = 0; i < indices.size(); i += 3) {

@@ -24,7 +24,7 @@ TEST(HalfEdges, AtABorderHaveNoPartner) {
                                                   no_half_edge}));
 }
 
-// Two closed surfaces along one edge, and the same triangle twice.
+// Two closed surfaces that share one edge, and the same triangle twice.
 TEST(HalfEdges, OfManyTrianglesAtOneEdgeArePairedInTurn) {
   const auto fan =
       opposite_half_edges(std::vector<std::uint32_t>{0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5}, 6);

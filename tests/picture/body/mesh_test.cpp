@@ -29,7 +29,7 @@ struct Case {
 void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
 
 constexpr double mesh_tolerance = 5e-4;
-// Of all cases, whose smallest half dimension is 1.
+// For all cases, because their smallest half dimension is 1.
 constexpr double rim_bevel = 0.04;
 constexpr double edge_bevel = 0.08;  // of boxes
 
@@ -124,8 +124,8 @@ TEST_P(PartMesh, HasUnitNormalsAlongItsTriangles) {
     const Vector3d facet = (b - a).cross(c - a).normalized();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d normal = vector(mesh.vertices[mesh.indices[3 * i + k]].normal);
-      // Within half a facet of the bevel, the coarsest: a quarter turn in five; on the spheres at a
-      // box's corners half the diagonal of a facet.
+      // At most half a facet of the bevel, which is the coarsest: a fifth of a quarter turn. On the
+      // spheres at a box's corners, half the diagonal of a facet.
       ASSERT_GT(normal.dot(facet), std::cos(0.223)) << "triangle " << i;
     }
   }
@@ -182,7 +182,7 @@ TEST(PartMeshTolerance, BoundsHowFarTheFacetsLieInside) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto& a = mesh.vertices[mesh.indices[i + k]].position;
         const auto& b = mesh.vertices[mesh.indices[i + (k + 1) % 3]].position;
-        // Diagonals of a facet: twice the bound.
+        // The diagonals of a facet deviate by twice the bound.
         ASSERT_GT(vector(0.5F * (a + b)).norm(), 2 - 2.1 * bound);
       }
     }

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
 
+#include "picture/body/body_model.h"
 #include "picture/body/gap_closing.h"
 #include "picture/body/meshes.h"
 #include "picture/t_wrench.h"
@@ -17,6 +19,11 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+/// Returns the silhouette of parts that do not intersect.
+Silhouette silhouette_of(const Mesh& mesh) {
+  return {mesh, PartIntersections(mesh.part_ends.size())};
+}
 
 const glm::vec3 viewpoints[]{{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}};
 
@@ -28,11 +35,11 @@ std::vector<std::pair<const char*, Mesh>> meshes() {
           {"wrench", body_mesh(close_gaps(t_wrench().body.parts), 0.01)}};
 }
 
-// An edge of a closed mesh lies between a front-facing and a back-facing triangle, or it is not on
-// the silhouette: so the silhouette has no ends.
+// An edge of the silhouette of a closed mesh lies between a front-facing and a back-facing
+// triangle. The silhouette therefore has no ends.
 TEST(Silhouette, IsClosedLoops) {
   for (const auto& [name, mesh] : meshes()) {
-    Silhouette outline(mesh);
+    Silhouette outline = silhouette_of(mesh);
     for (const glm::vec3& eye : viewpoints) {
       outline.find(eye, 30);
       ASSERT_GT(outline.edge_quads().size(), 12u) << name;
@@ -50,7 +57,7 @@ TEST(Silhouette, OfASphereIsTheCircleOfTangents) {
   constexpr float radius = 2;
   const body::Part sphere{
       body::Ellipsoid{{radius, radius, radius}}, 1, {0, 0, 0}, Matrix3d::Identity()};
-  Silhouette outline(part_mesh(sphere, 0.001));
+  Silhouette outline = silhouette_of(part_mesh(sphere, 0.001));
   for (const glm::vec3& eye : viewpoints) {
     outline.find(eye, 30);
     const float distance = glm::length(eye);
@@ -64,7 +71,7 @@ TEST(Silhouette, OfASphereIsTheCircleOfTangents) {
 
 TEST(Silhouette, MovesItsVerticesAndLessThoseNearIt) {
   for (const auto& [name, mesh] : meshes()) {
-    Silhouette outline(mesh);
+    Silhouette outline = silhouette_of(mesh);
     for (const glm::vec3& eye : viewpoints) {
       outline.find(eye, 30);
       ASSERT_EQ(outline.shifts().size(), mesh.vertices.size());
@@ -86,7 +93,7 @@ TEST(Silhouette, MovesItsVerticesAndLessThoseNearIt) {
 }
 
 TEST(Silhouette, MovesNoOthersWherePixelsAreSmall) {
-  Silhouette outline(part_mesh(cylinder(2, 8, {0, 0, 0}, Vector3d(0, 1, 0)), 0.01));
+  Silhouette outline = silhouette_of(part_mesh(cylinder(2, 8, {0, 0, 0}, Vector3d(0, 1, 0)), 0.01));
   outline.find(viewpoints[0], 1e6F);
   const auto moved =
       std::ranges::count_if(outline.shifts(), [](const Shift& s) { return s.offset != 0; });
@@ -96,7 +103,7 @@ TEST(Silhouette, MovesNoOthersWherePixelsAreSmall) {
 }
 
 TEST(Silhouette, FinsHaveAnInnerAndAnOuterSide) {
-  Silhouette outline(meshes().front().second);
+  Silhouette outline = silhouette_of(meshes().front().second);
   outline.find(viewpoints[0], 30);
   for (std::size_t i = 0; i < outline.indices().size(); i += 6) {
     float sum = 0;
@@ -110,10 +117,10 @@ Mesh mesh_of_triangles(body::TriangleMesh triangles, double shell = 0) {
   return part_mesh(part_of(std::move(triangles), shell), 0);
 }
 
-// Where normals say nothing of the outline, its edges do: seen head-on, the corners of a box are
+// If the normals do not determine the outline, its edges do. Seen head-on, the corners of a box are
 // moved along both edges.
 TEST(Silhouette, OfABoxOfTrianglesIsMovedByAsMuchAtItsCorners) {
-  Silhouette outline(mesh_of_triangles(box_of_triangles({2, 2, 0.5})));
+  Silhouette outline = silhouette_of(mesh_of_triangles(box_of_triangles({2, 2, 0.5})));
   outline.find({0, 0, 100}, 30);
   EXPECT_EQ(outline.indices().size(), 6U * 4);
   for (const EdgeQuadVertex& corner : outline.edge_quads()) {
@@ -123,11 +130,11 @@ TEST(Silhouette, OfABoxOfTrianglesIsMovedByAsMuchAtItsCorners) {
   }
 }
 
-/// An open box: a bottom and four walls with an inside, which another box hollows out.
+/// An open box: a bottom and four hollow walls, made by cutting another box out of a box.
 body::TriangleMesh bowl() {
   body::TriangleMesh mesh = box_of_triangles({4, 4, 2});
   const body::TriangleMesh hollow = box_of_triangles({3, 3, 2});
-  // Both lids are left out, and a rim joins their corners, 4 to 7 of each.
+  // Both lids are removed. A rim joins their corners, which are 4 to 7 of each box.
   std::erase_if(mesh.triangles, [](const auto& t) { return t[0] >= 4 && t[1] >= 4 && t[2] >= 4; });
   for (const auto& v : hollow.vertices)
     mesh.vertices.emplace_back(v.x(), v.y(), v.z() > 0 ? 1 : -0.5);
@@ -142,7 +149,7 @@ body::TriangleMesh bowl() {
 }
 
 TEST(Silhouette, LeavesOutEdgesInHollows) {
-  Silhouette outline(mesh_of_triangles(bowl()));
+  Silhouette outline = silhouette_of(mesh_of_triangles(bowl()));
   const glm::vec3 eye(9, 0.1F, 9);
   outline.find(eye, 30);
   int inside = 0;
@@ -154,9 +161,10 @@ TEST(Silhouette, LeavesOutEdgesInHollows) {
   EXPECT_GT(outline.indices().size(), 0U);
 }
 
-// Of a box one sees three faces: between them each fades out over the other, by half a pixel.
+// Three faces of a box are visible. Along each edge between two of them, each fades out over the
+// other by half a pixel.
 TEST(Silhouette, HasTwoQuadsForEachCreaseThatIsSeen) {
-  Silhouette outline(mesh_of_triangles(box_of_triangles({2, 2, 2})));
+  Silhouette outline = silhouette_of(mesh_of_triangles(box_of_triangles({2, 2, 2})));
   outline.find({9, 8, 7}, 30);
   EXPECT_EQ(outline.indices().size(), 6U * (6 + 2 * 3));
   for (const EdgeQuadVertex& corner : outline.edge_quads()) {
@@ -166,8 +174,32 @@ TEST(Silhouette, HasTwoQuadsForEachCreaseThatIsSeen) {
   }
 }
 
+// A column through a cube. From above, the eye sees two of the four edges where it enters.
+TEST(Silhouette, HasAQuadForEachPartAlongTheirIntersection) {
+  const std::vector<body::Part> parts{part_of(box_of_triangles({2, 2, 2})),
+                                      part_of(box_of_triangles({1, 1, 4}))};
+  const Mesh mesh = body_mesh(parts, 0);
+  Silhouette outline(mesh, find_intersections(mesh, part_models(parts, mesh, 3)));
+  const auto seen_from = [&](const glm::vec3& eye) {
+    outline.find(eye, 30);
+    std::array<int, 2> corners{};  // of quads on the cube and on the column
+    for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+      if (corner.lift <= 1) continue;
+      EXPECT_NEAR(std::abs(corner.position.z), 1, 1e-4F);
+      EXPECT_NEAR(glm::length(corner.shift.offset * corner.shift.direction), 1, 1e-5F);
+      ++corners.at(corner.normal.z == 0 ? 1 : 0);
+    }
+    return corners;
+  };
+  const auto [on_cube, on_column] = seen_from({20, 15, 20});
+  EXPECT_GE(on_cube, 2 * 4);
+  EXPECT_EQ(on_cube, on_column);
+  EXPECT_EQ(seen_from({20, 15, 0}), (std::array{0, 0})) << "the cube's ends face away";
+}
+
 TEST(Silhouette, OfAWallIsItsBorder) {
-  Silhouette outline(mesh_of_triangles({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}, 0.1));
+  Silhouette outline =
+      silhouette_of(mesh_of_triangles({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}, 0.1));
   for (const float side : {1.0F, -1.0F}) {
     outline.find({0, 0, side * 20}, 30);
     EXPECT_EQ(outline.indices().size(), 6U * 3);

@@ -32,7 +32,7 @@ TEST(TriangleSurface, HasCreasesWhereTrianglesMeetAtMoreThanTheCreaseAngle) {
   }
 }
 
-// However the faces are cut into triangles: each counts by its angle.
+// The result does not depend on how the faces are cut into triangles: each counts by its angle.
 TEST(TriangleSurface, IsSmoothWhereTheyMeetAtLess) {
   const Mesh mesh = surface_of(box_of_triangles({2, 2, 2}), 1.6);
   EXPECT_EQ(mesh.vertices.size(), 8U);
@@ -59,7 +59,8 @@ TEST(TriangleSurface, OfABallHasTheBallsNormals) {
   }
 }
 
-/// Each triangle has vertices of its own, as in an STL file; and some have no area.
+/// Returns the mesh with separate vertices for each triangle, as in an STL file, and with some
+/// triangles that have no area.
 body::TriangleMesh in_pieces(const body::TriangleMesh& whole) {
   body::TriangleMesh pieces;
   for (const auto& corners : whole.triangles) {

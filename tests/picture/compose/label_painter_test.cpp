@@ -17,7 +17,7 @@ const Color yellow{255, 216, 39}, pink{247, 120, 201};
 const image::Area whole_picture{0, 0, 640, 360};
 const Vector2d arrow_start(200, 180);
 
-/// L to the right, and omega at that angle in rad above it, shorter.
+/// Returns two labels: L to the right, and omega, which is shorter, at that angle in rad above it.
 std::vector<Label> labels_at(double angle) {
   const Vector2d way(std::cos(angle), -std::sin(angle));
   return {{"L", {520, 180}, {1, 0}, yellow, arrow_start},
@@ -35,7 +35,7 @@ class LabelPainterTest : public testing::Test {
     return std::abs(p[0] - ink.red) + std::abs(p[1] - ink.green) + std::abs(p[2] - ink.blue) < 60;
   }
 
-  /// Where the letters are: of rows with more ink than a leader has.
+  /// Returns the area of the letters: of the rows with more ink than a leader has.
   static image::Area letters(const Layer& layer, const Color& ink) {
     constexpr int of_leader = 4;
     int left = 1 << 20, top = left, right = -1, bottom = -1;
@@ -95,8 +95,8 @@ TEST_F(LabelPainterTest, MovesLabelsContinuously) {
   }
 }
 
-// The label is blank: as wide as a digit, so that it is placed like a letter, and all ink is the
-// leader's, whatever glyphs look like and however FreeType and Cairo draw them.
+// The label is blank and as wide as a digit. It is placed like a letter, and all ink is the
+// leader's, regardless of the font and of how FreeType and Cairo draw it.
 TEST_F(LabelPainterTest, LeadsToALabelThatWasMoved) {
   const auto leader_at = [&](double angle) {
     auto labels = labels_at(angle);

@@ -30,7 +30,7 @@ TEST(LayOver, CoversBlendsAndLeaves) {
   EXPECT_THAT(low, ElementsAre(100, 100, 100, 200, 10, 0, 150, 55, 50, 100, 100, 100));
 }
 
-// In rows of several lengths, since long ones are composited several pixels at a time.
+// The rows have several lengths, because long ones are composited several pixels at a time.
 TEST(LayOver, RoundsToTheNearest) {
   for (const int width : {1, 5, 6, 23}) {
     const auto pixels = static_cast<std::size_t>(width);
@@ -88,7 +88,8 @@ TEST(LayerAround, EndsAtThePicturesEdges) {
   EXPECT_EQ(layer_around({30, 4, 3, 2}, 2, picture).image.pixels.size(), 0U);
 }
 
-// An assertion if enabled; otherwise the part inside is composited, and nothing else is touched.
+// This is an assertion if assertions are enabled. Otherwise the part inside is composited, and
+// nothing else is changed.
 TEST(LayOverDeathTest, CutsOffWhatLeavesThePicture) {
   for (const auto& [x, y] : {std::pair(-1, 0), {2, 0}, {0, -1}, {0, 3}, {-9, -9}, {9, 9}}) {
     image::Image image(4, 3, 3);

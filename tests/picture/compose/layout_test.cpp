@@ -56,7 +56,7 @@ std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view
   return areas;
 }
 
-/// All areas that must not overlap: text, insets, and the focus of each view.
+/// Returns all areas that must not overlap: text, insets, and the focus of each view.
 std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
   std::vector<image::Area> areas = words_and_insets(layout, view);
   for (const Layout::Pane& pane : layout.panes) areas.push_back(pane.focus);
@@ -68,7 +68,7 @@ std::vector<image::Area> all_areas(const Layout& layout, scene::View view) {
   return areas;
 }
 
-/// For each size, with all optional items and with each selection of them.
+/// Calls `check` for each size, with all optional items and with each selection of them.
 void for_each_layout(scene::View view, int compared,
                      const std::function<void(const scene::Scene&, const Layout&)>& check) {
   std::vector<scene::Feature> features{scene::Feature::components, scene::Feature::curve,
@@ -156,7 +156,7 @@ TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
   });
 }
 
-/// Each view of one motion, and comparisons of one to four.
+/// Returns each view of one motion, and comparisons of one to four.
 std::vector<std::pair<scene::View, int>> views_and_comparisons() {
   std::vector<std::pair<scene::View, int>> all;
   for (const scene::View view : enumerators<scene::View>) all.emplace_back(view, 0);
@@ -191,8 +191,7 @@ TEST(Layout, DropsInTheStatedOrder) {
     for (const auto& inset : layout.insets) kept.push_back(inset.has_value());
     EXPECT_TRUE(std::ranges::is_sorted(kept, std::greater())) << height;
     const auto count = static_cast<std::size_t>(std::ranges::count(kept, true));
-    EXPECT_LE(count, before) << "what has found no room finds none in a smaller picture: "
-                             << height;
+    EXPECT_LE(count, before) << "a smaller picture has no more items: " << height;
     before = count;
     counts.insert(count);
   }
@@ -212,7 +211,7 @@ TEST(Layout, ShowsAllOfTheDefaultFilmInFullSizes) {
 
 TEST(Layout, LeavesTheBodyOfAWideFilmItsFullHeight) {
   const image::Area focus = compute_layout(t_wrench(1920, 1080)).panes[0].focus;
-  EXPECT_EQ(focus.height, 972) << "what is 5 % away from the edges";
+  EXPECT_EQ(focus.height, 972) << "the height minus margins of 5 %";
   EXPECT_GE(focus.width, 1080);
 }
 
@@ -307,7 +306,7 @@ TEST(Layout, GivesTiltAndMomentsThePlaceOfTheCurve) {
     EXPECT_TRUE(inside(*layout.tilt, *before.curve) && inside(*layout.moments, *before.curve));
     scene.overlay.show.erase(scene::Feature::sphere);
     const Layout alone = compute_layout(scene);
-    EXPECT_GE(alone.tilt->height, layout.tilt->height) << "in the place of the sphere too";
+    EXPECT_GE(alone.tilt->height, layout.tilt->height) << "also takes the area of the sphere";
   }
 }
 

@@ -31,7 +31,7 @@ TEST(CurveCaption, SpeaksOfNoLegForOtherBodies) {
   EXPECT_FALSE(speaks_of_a_leg({{}, Eigen::Vector3d(1, 2, 3).asDiagonal()}));
   EXPECT_FALSE(speaks_of_a_leg({{sphere(1, {0, 0, 0})}, {}}));
   EXPECT_FALSE(speaks_of_a_leg({{sphere(1, {4, 0, 0}), sphere(1, {-4, 0, 0})}, {}}));
-  // Two legs, of which neither can be meant.
+  // With two legs, "the leg" would be ambiguous.
   const auto leg = [](double x) { return cylinder(0.5, 3, {x, 0, 0}, Eigen::Vector3d::UnitX()); };
   EXPECT_FALSE(speaks_of_a_leg({{sphere(1, {0, 0, 0}), leg(2), leg(-2)}, {}}));
   body::Part heavy = sphere(1, {0, 0, 0});

@@ -28,7 +28,7 @@ timeline::FrameState at(const OverlayScene& film, double t) {
   return state;
 }
 
-/// Sum of all colour in the columns of a layer.
+/// Returns the sum of all colours in the columns of a layer.
 double light(const Layer& layer, int first, int last) {
   double sum = 0;
   for (int y = 0; y < layer.image.height; ++y) {
@@ -120,7 +120,7 @@ TEST(ComponentPanel, FitsWhateverAreaItIsGiven) {
   }
 }
 
-// No layout produces such an area; where one did, memory was overwritten.
+// No layout produces such an area. Without the cut, memory would be overwritten.
 TEST(ComponentPanel, IsCutOffAtThePicturesEdges) {
   const image::Area picture{0, 0, 200, 100};
   OverlayScene small(film(picture.width, picture.height));

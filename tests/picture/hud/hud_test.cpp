@@ -154,7 +154,7 @@ TEST(Hud, RemarksWhatHappensInEachPane) {
     Hud hud = hud_of(film);
     for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i) {
       timeline::FrameState state = film.timeline.frame_state(0);
-      // Shown by the readouts of a comparison too, where it changes no digit.
+      // The readouts of a comparison show it too; there it changes no digit.
       state.solutions[i].diagnostics.orthogonality_error = 0.00996;
       const auto before = hud.draw(state);
       state.solutions[i].diagnostics.orthogonality_error = 0.01001;
@@ -231,7 +231,7 @@ TEST(Hud, LaysAPanelUnderAllItsWordsOnABackgroundOfAnotherColour) {
   }
 }
 
-/// For a picture of another size with the same motions.
+/// Returns the HUD of a picture of another size with the same motions.
 Hud hud_in(OverlayScene& film, int width, int height) {
   film.scene.film.width = width;
   film.scene.film.height = height;
@@ -309,7 +309,8 @@ TEST(Hud, NamesATitlesCharacterThatNoFontHas) {
   EXPECT_EQ(refusal_of(scene), refusal_for("U+0628"));
   scene.title = "";
   scene.name = "\u65E5\u672C";
-  EXPECT_EQ(refusal_of(scene), refusal_for("U+65E5")) << "the scene's name stands in for a title";
+  EXPECT_EQ(refusal_of(scene), refusal_for("U+65E5"))
+      << "the scene's name replaces a missing title";
 }
 
 TEST(Hud, TakesTitlesOfManyTongues) {

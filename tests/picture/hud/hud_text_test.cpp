@@ -10,7 +10,7 @@
 namespace twrench::picture::hud_text {
 namespace {
 
-constexpr TimeUnit second{1, "s", "s"};
+constexpr TimeUnit second{0.1, 1, "s", "s"};
 
 TEST(Time, OfAMotionOfDaysIsInDays) {
   const TimeUnit unit = time_unit(24 * 86400);

@@ -23,7 +23,7 @@ std::vector<Layer> moments_of(const Eigen::Vector3d& omega, const OverlayColors*
   return panel.draw(all.timeline.frame_state(0));
 }
 
-/// The rows that have pixels of exactly this colour.
+/// Returns the number of rows with pixels of exactly this colour.
 int height_of(const Layer& layer, const Color& color) {
   int rows = 0;
   for (int y = 0; y < layer.image.height; ++y) {
@@ -49,7 +49,7 @@ TEST(MomentsPanel, HasBarsInProportionAndMarksTheAxisOfTheRotation) {
   EXPECT_EQ(height_of(about_z[0], colors->axis[0]), 0) << "faint";
 }
 
-// I1 and I2 of this body both lie nearest to x.
+// I1 and I2 of this body are both nearest to x.
 TEST(MomentsPanel, GivesEachPrincipalAxisAColourOfItsOwn) {
   const Eigen::Matrix3d R = so3::exp(Eigen::Vector3d(-0.72, -0.32, -0.74));
   const Eigen::Matrix3d product = R * Eigen::Vector3d(2, 3, 4).asDiagonal() * R.transpose();

@@ -1,5 +1,5 @@
-// The places of lines, bars and readouts in a text block. The expected widths are measured with the
-// same font, so the tests hold for every font.
+// Tests the positions of lines, bars and readouts in a text block. The expected widths are measured
+// with the same font, so the tests are valid for every font.
 #include "picture/hud/text_block.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class TextBlockTest : public testing::Test {
     return {caption, "0.0", [](const timeline::FrameState&) { return std::string("1.0"); }};
   }
 
-  /// The first and the last row of the picture in which the column `x` has this colour.
+  /// Returns the first and the last row of the picture in which the column `x` has this colour.
   static std::pair<int, int> rows_of(const Layer& layer, int x, const Color& color) {
     std::pair<int, int> rows{-1, -1};
     for (int y = 0; y < layer.image.height; ++y) {

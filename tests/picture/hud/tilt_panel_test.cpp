@@ -47,7 +47,7 @@ TEST(TiltPanel, HoldsTheWholeCurve) {
 }
 
 TEST(TiltPanel, DrawsThePredictionOfAnUnstableAxisOnly) {
-  // It is yellow, and all else is gray.
+  // It is yellow; everything else is gray.
   const auto dashes = [](const Eigen::Vector3d& omega) {
     const OverlayScene all(with_tilt(omega));
     TiltPanel panel = tilt_panel_of(all);

@@ -9,7 +9,7 @@
 namespace twrench::picture {
 namespace {
 
-/// Mean of all channels over a row.
+/// Returns the mean of all channels over a row.
 double mean_of_row(const image::Image& image, int y) {
   const auto begin = image.pixels.begin() + y * static_cast<std::ptrdiff_t>(image.row_bytes());
   return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(image.row_bytes()), 0.0) /
@@ -48,7 +48,8 @@ TEST(Background, HasNoBands) {
   EXPECT_LT(equal, 6);
 }
 
-// A video keeps 8 bits of chroma: a hue that varied with the brightness would come out in patches.
+// A video has 8 bits of chroma. A hue that varied with the brightness would become visible as
+// patches.
 TEST(Background, HasTheSameHueEverywhere) {
   for (const scene::Theme theme : {scene::Theme::studio, scene::Theme::paper}) {
     scene::Look look;
@@ -60,7 +61,8 @@ TEST(Background, HasTheSameHueEverywhere) {
       const std::uint8_t* const p = first + i;
       if (p[0] - p[1] != first[0] - first[1] || p[2] - p[1] != first[2] - first[1]) ++other;
     }
-    EXPECT_LE(other, image.pixels.size() / 3 / 1000) << "but for a few pixels, by rounding";
+    EXPECT_LE(other, image.pixels.size() / 3 / 1000)
+        << "except for a few pixels, because of rounding";
   }
 }
 

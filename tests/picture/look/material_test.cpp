@@ -37,7 +37,7 @@ TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
   EXPECT_EQ(plastic.brushing, 0);
 }
 
-// A coloured model that says nothing else looks like painted plastic, not like metal.
+// Unless set otherwise, a coloured model looks like painted plastic, not like metal.
 TEST(Material, OfAPartWithColoursOfItsOwnIsPlasticUnlessSetOtherwise) {
   scene::Look look;
   EXPECT_EQ(material(look).metalness, 1);

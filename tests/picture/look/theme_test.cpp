@@ -23,7 +23,7 @@ std::vector<Color> own_grounds(const ThemeStyle& style) {
            std::min(255, below.blue + light.blue)}};
 }
 
-/// With what a user may choose, or composite a transparent video over.
+/// Also with backgrounds that a user may choose or composite a transparent video over.
 std::vector<Color> any_ground(const ThemeStyle& style) {
   std::vector<Color> grounds = own_grounds(style);
   grounds.insert(grounds.end(),
@@ -31,7 +31,7 @@ std::vector<Color> any_ground(const ThemeStyle& style) {
   return grounds;
 }
 
-/// The panel composited over a background.
+/// Returns the panel composited over a background.
 Color panel_on(const OverlayColors& colors, const Color& ground) {
   const auto over = [&](int panel, int behind) {
     return static_cast<int>(
@@ -41,13 +41,13 @@ Color panel_on(const OverlayColors& colors, const Color& ground) {
           over(colors.panel.blue, ground.blue)};
 }
 
-/// The colours of what has a name or a trail.
+/// Returns the colours of the overlays with a name or a trail.
 std::vector<Color> named(const OverlayColors& c) {
   return {c.axis[0], c.axis[1], c.axis[2], c.momentum, c.omega, c.trail};
 }
 
-/// The colours of what is drawn about the body. A colour that is added to OverlayColors is one of
-/// them, or has to be named here.
+/// Returns the colours of the overlays about the body, which must be distinguishable. A new colour
+/// of OverlayColors must be among them or be named here.
 std::vector<Color> told_apart(const OverlayColors& colors) {
   const auto& [text, dim, panel, panel_opacity, axis, momentum, omega, trail, plane, curve] =
       colors;
@@ -96,7 +96,7 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
   }
 }
 
-// The shader divides by the distance and the size of each.
+// The shader divides by the distance and the size of each light.
 TEST_P(ThemeTest, HasAPlaceAndASizeForEachLight) {
   for (const AreaLight& light : style.studio.lights) {
     EXPECT_GT(glm::length(light.centre), 0);

@@ -111,7 +111,7 @@ TEST_F(DrawListTest, TellsHowMuchNearerAShareOfTheHeightIs) {
   }
 }
 
-/// Twice the area in pixels, positive where seen from the side from which it is anticlockwise.
+/// Returns twice the area in pixels, positive if the triangle appears anticlockwise.
 double turn(const DrawList& list, const std::vector<std::uint32_t>& faces, std::size_t i) {
   const Vector2d a = pixel(list.vertices()[faces[i]]);
   const Vector2d ab = pixel(list.vertices()[faces[i + 1]]) - a,
@@ -120,7 +120,8 @@ double turn(const DrawList& list, const std::vector<std::uint32_t>& faces, std::
 }
 
 TEST_F(DrawListTest, FacesOfArrowsAreAnticlockwiseFromOutside) {
-  // A head alone: towards the eye its base is hidden and its side is seen, and vice versa.
+  // The arrow is only a head. If it points towards the eye, the base is hidden and the side is
+  // seen, and vice versa.
   for (const double sign : {1.0, -1.0}) {
     list.begin(camera(), list_pane);
     list.arrow(Vector3d::Zero(), sign * 0.1 * list.eye().normalized(), 0.3, red);
@@ -143,7 +144,7 @@ TEST_F(DrawListTest, ArrowsHaveAnOutlineOfTheOppositeLightness) {
   };
   EXPECT_GT(outline({20, 20, 120}).x, 0.8F) << "white around dark blue";
   EXPECT_LT(outline({255, 216, 39}).x, 0.1F) << "black around yellow";
-  // At least a pixel wide, on both sides.
+  // The outline is at least a pixel wide on both sides.
   double lowest = 1e9, highest = -1e9, low = 1e9, high = -1e9;
   const auto extend = [&](const std::vector<std::uint32_t>& faces, double& from, double& to) {
     for (const std::uint32_t i : faces) {
@@ -226,7 +227,8 @@ TEST_F(DrawListTest, ShowsTheNearSideOfAnEllipsoidOnly) {
 TEST_F(DrawListTest, AnEllipsoidThatReachesBehindTheEyeIsTheSameWhateverWasDrawnBefore) {
   const Vector3d eye = list.eye();
   const Eigen::Matrix3d frame = body::frame_with_z_along(eye);
-  // A disc about the origin, wider than the eye is far, whose plane passes the eye by.
+  // The disc is about the origin and has a radius larger than the eye's distance. Its plane passes
+  // the eye.
   const Eigen::Matrix3d disc = frame *
                                Eigen::AngleAxisd(0.3, Vector3d::UnitX()).toRotationMatrix() *
                                Vector3d(3 * eye.norm(), 0.01, 3 * eye.norm()).asDiagonal();

@@ -22,7 +22,7 @@ ForceArrows arrows_of(const scene::Scene& scene, const timeline::Timeline& timel
   return {scene, timeline.solutions()[0], bounding_radius(scene::visible_parts(scene.body))};
 }
 
-/// The number of triangles of the arrows in a frame of the film.
+/// Returns the number of triangles of the arrows in a frame of the film.
 std::size_t drawn(const scene::Scene& scene, int frame) {
   const timeline::Timeline timeline(scene, {frame});
   DrawList list;

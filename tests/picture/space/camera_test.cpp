@@ -14,13 +14,13 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-/// Device coordinates: -1 to 1 from edge to edge, y upward.
+/// Returns device coordinates: -1 to 1 from edge to edge, y upward.
 Vector3d project(const Camera& camera, const Vector3d& point) {
   const Vector4d clip = camera.projection * camera.view * point.homogeneous();
   return clip.head<3>() / clip.w();
 }
 
-/// The largest |x| and |y| of the sphere of `radius`, in device coordinates.
+/// Returns the largest |x| and |y| of the sphere of `radius`, in device coordinates.
 Vector2d reach(const Camera& camera, double radius) {
   Vector2d result(0, 0);
   for (int i = 0; i <= 180; ++i) {
@@ -51,7 +51,7 @@ TEST_P(FramedSphere, FillsTheNarrowerSideAndStaysInside) {
 INSTANTIATE_TEST_SUITE_P(Aspects, FramedSphere,
                          testing::Values(16.0 / 9, 9.0 / 16, 1.0, 4.0 / 3, 21.0 / 9));
 
-/// Of what should be in view, the extent in device coordinates: left, right, bottom, top.
+/// Returns the extent of the points in device coordinates: left, right, bottom, top.
 Eigen::Vector4d extent(const Camera& camera, const std::vector<Vector3d>& points) {
   Eigen::Vector4d e(1e9, -1e9, 1e9, -1e9);
   for (const Vector3d& point : points) {

@@ -16,7 +16,7 @@ using testing::IsEmpty;
 constexpr image::Area pane{40, 20, 300, 200};
 constexpr int band = 32;
 
-/// Clip coordinates of a position in the picture, in pixels from its top left.
+/// Returns clip coordinates of a position in the picture, in pixels from its top left.
 Eigen::Vector4f clip(const Vector2d& place, double w = 1) {
   const Vector2d share((place.x() - pane.x) / pane.width, (place.y() - pane.y) / pane.height);
   return (w * Eigen::Vector4d(2 * share.x() - 1, 1 - 2 * share.y(), 0, 1)).cast<float>();
@@ -138,7 +138,7 @@ TEST(ScreenArea, PartsShapesThatAreFarApartAndJoinsThoseThatAreNear) {
   }
 }
 
-// Of many points most are left out before their hull is found.
+// If there are many points, most are removed before the hull is computed.
 TEST(ScreenArea, OfManyPointsIsThatOfTheOutermost) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0, 1);

@@ -1,7 +1,7 @@
-// The contents of the views, compared with numbers whose pictures were inspected and found correct.
-// A golden image does not notice a line that is 1 % fainter; the numbers do. To renew them, run
-// TWRENCH_UPDATE_GOLDENS=1 picture_test, look at the pictures of golden_test, and commit them with
-// the reason.
+// Compares the contents of the views with numbers whose pictures were inspected and found correct.
+// A golden image does not reveal a line that is 1 % fainter; the numbers do. To renew them, run
+// TWRENCH_UPDATE_GOLDENS=1 picture_test, inspect the pictures of golden_test, and commit the
+// numbers with the reason.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Sums in which numbers at different places count differently, so that two that are exchanged are
-/// noticed, too.
+/// Sums in which numbers at different places have different weights, so that an exchange of two
+/// numbers is noticed, too.
 class Digest {
  public:
   void add(double value) { sum_ += std::abs(value) * (1 + static_cast<double>(count_++ % 7) / 7); }
@@ -44,7 +44,7 @@ class Digest {
   std::size_t count_ = 0;
 };
 
-/// The number of rows of `width` floats, and a digest of each column.
+/// Adds the number of rows of `width` floats, and a digest of each column.
 void add_rows(json& numbers, std::span<const float> values, std::size_t width) {
   numbers.push_back(values.size() / width);
   for (std::size_t column = 0; column < width; ++column) {
@@ -115,7 +115,7 @@ json numbers_of(const BodyModel& body) {
       digest.add(capsule.meets ? 2 : 1);
     }
     numbers.push_back(digest.sum());
-    // The numbers of GLSL.
+    // The numbers in the GLSL constants.
     const std::string constants = shader_constants(body.materials[i], body.studio);
     Digest of_material;
     const std::regex number(R"(-?\d+\.\d*(e[-+]\d+)?)");
@@ -156,7 +156,7 @@ json numbers_of(const Layout& layout) {
   return numbers;
 }
 
-/// A built-in scene with everything that its body can have around it.
+/// Returns a built-in scene with all overlays of its body.
 scene::Scene with_all(const std::string& name, scene::Theme theme, scene::Frame frame) {
   scene::Scene scene = scene::load_scene(name);
   if (!scene.shots.empty()) scene = scene.shots[1].scene;
@@ -191,7 +191,7 @@ json numbers_of(const scene::Scene& scene) {
 
 const fs::path golden_numbers = fs::path(TWRENCH_TESTS_DIR) / "golden" / "view-contents.json";
 
-/// Each built-in scene, each in another theme and frame.
+/// Returns each built-in scene, with varying themes and frames.
 std::map<std::string, scene::Scene> scenes() {
   std::map<std::string, scene::Scene> all;
   std::size_t i = 0;

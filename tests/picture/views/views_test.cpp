@@ -1,4 +1,4 @@
-// The contents of the views, compared with the mechanics they show.
+// Compares the contents of the views with the mechanics that they show.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -125,7 +125,7 @@ TEST(Views, RollTheEllipsoidOnThePlane) {
     const Vector3d normal = unit_from_view.transpose() * (unit_from_view * contact);
     EXPECT_LT(normal.normalized().cross(Vector3d::UnitY()).norm(), 1e-7) << "touching";
   }
-  // Without slipping: the body's point at the contact is at rest.
+  // The body rolls without slipping: its point at the contact is at rest.
   const motion::ExactMotion motion(timeline.solutions()[0].body);
   const double t = 7, h = 1e-4;
   const motion::Sample now = motion.at(t);

@@ -1,0 +1,114 @@
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/enumeration.h"
+#include "check/report/checked_file.h"
+#include "check/report/convention_texts.h"
+#include "check/report/report.h"
+#include "comparison/report.h"
+#include "comparison/request.h"
+#include "comparison/update.h"
+#include "interruptible.h"
+#include "module.h"
+#include "scene/limits.h"
+
+namespace twrench::python {
+namespace {
+
+namespace py = pybind11;
+using OptionTexts = std::map<std::string, std::string>;
+
+check::Convention convention_of(const OptionTexts& texts, bool inverse,
+                                const std::optional<Eigen::Vector4d>& offset) {
+  check::Convention convention = check::parse_convention({.columns = texts.at("columns"),
+                                                          .time_unit = texts.at("time_unit"),
+                                                          .units = texts.at("units"),
+                                                          .angle_units = texts.at("angle_units"),
+                                                          .sequence = texts.at("sequence"),
+                                                          .rates = texts.at("rates"),
+                                                          .axes = texts.at("axes"),
+                                                          .inverse = inverse});
+  if (offset) convention.offset = scene::limits::check_rotation("offset", *offset);
+  return convention;
+}
+
+check::Bounds bounds_of(const std::map<std::string, double>& given) {
+  const auto bound = [&](const char* name) {
+    const auto found = given.find(name);
+    return found == given.end() ? std::nullopt
+                                : std::optional(scene::limits::check({0.0, scene::limits::huge},
+                                                                     name, found->second));
+  };
+  return {.attitude_error = bound("max_attitude_error"),
+          .rate_error = bound("max_rate_error"),
+          .energy_drift = bound("max_energy_drift")};
+}
+
+/// Returns the JSON of `twrench check`.
+std::string check_recording(const std::string& file, const Eigen::Matrix3d& inertia,
+                            const std::optional<Eigen::Vector3d>& omega,
+                            std::optional<double> omega_time, bool fit, const OptionTexts& texts,
+                            bool inverse, const std::optional<Eigen::Vector4d>& offset,
+                            const std::map<std::string, double>& bounds) {
+  check::Problem problem{.inertia = inertia};
+  if (omega) problem.omega = scene::limits::check_omega("omega", *omega);
+  problem.omega_time = omega_time;
+  problem.fit = fit;
+  problem.frame = find_enumerator<check::FrameSource>(texts.at("frame"), "frame");
+  const check::Convention convention = convention_of(texts, inverse, offset);
+  const check::Bounds most = bounds_of(bounds);
+  return run_interruptibly([&](const std::atomic<bool>&) {
+    return check::check_json({{check::check_file(file, convention, problem, most)}, {}});
+  });
+}
+
+comparison::Criteria criteria_of(const std::string& metric, int threshold, double share,
+                                 double min_similarity, int edges,
+                                 const std::vector<std::array<int, 4>>& ignored) {
+  comparison::Criteria criteria{find_enumerator<comparison::Metric>(metric, "metric"),
+                                threshold,
+                                share,
+                                min_similarity,
+                                edges,
+                                {}};
+  for (const auto& [x, y, width, height] : ignored) {
+    criteria.ignored.push_back({x, y, width, height});
+  }
+  return criteria;
+}
+
+/// Returns the JSON of `twrench compare`.
+std::string compare_pictures(const std::string& expected, const std::string& actual,
+                             const std::string& metric, int threshold, double share,
+                             double min_similarity, int edges,
+                             const std::vector<std::array<int, 4>>& ignored,
+                             const std::string& difference, const std::string& page, bool update) {
+  const comparison::Request request{
+      expected,   actual, criteria_of(metric, threshold, share, min_similarity, edges, ignored),
+      difference, page,   update};
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    const comparison::Comparison found = comparison::compare(request, [&](int, int) {
+      if (stop) throw Stopped{};
+    });
+    if (const auto* frame = found.first_unreadable()) throw *frame->failure;
+    std::string json;
+    comparison::write_json(found, [&](std::string_view text) { json += text; });
+    if (update && !found.passed()) comparison::update_expected(found);
+    return json;
+  });
+}
+
+}  // namespace
+
+void add_checks(py::module_& module) {
+  module.def("check", &check_recording);
+  module.def("compare", &compare_pictures);
+}
+
+}  // namespace twrench::python

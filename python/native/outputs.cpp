@@ -1,0 +1,258 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "film/poster.h"
+#include "gl/error.h"
+#include "interchange/export.h"
+#include "interruptible.h"
+#include "module.h"
+#include "page/page_html.h"
+#include "plot/gnuplot.h"
+#include "report/attitude_curve.h"
+#include "report/command_lines.h"
+#include "report/file.h"
+#include "scene/fields.h"
+#include "scene/interior.h"
+#include "system/file.h"
+#include "system/output.h"
+#include "system/program.h"
+#include "text/escape.h"
+
+namespace twrench::python {
+namespace {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+using scene::Scene;
+using Array = py::array_t<double, py::array::c_style>;
+using Texts = std::vector<std::string>;
+
+/// Formats the value of a field as that of an option.
+std::string option_value(const nlohmann::ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return fmt::format("{}", value.get<double>());
+  return fmt::format("{}", fmt::join(value.get<std::vector<double>>(), ","));
+}
+
+/// Whether a value is natural, because the user did not give it.
+bool is_natural(const Scene& scene, const std::string& key) {
+  const auto follows = [](scene::Origin origin) { return origin != scene::Origin::user; };
+  return (key == "step" && follows(scene.origins.step)) ||
+         (key == "duration" && follows(scene.origins.duration)) ||
+         (key == "speed" && follows(scene.origins.speed));
+}
+
+/// The options that change the motion of `original` to that of `scene`: one for each differing
+/// field among `keys`.
+Texts options_between(const Scene& original, const Scene& scene, const Texts& keys) {
+  Texts options;
+  for (const scene::Field& field : scene::fields()) {
+    if (std::ranges::find(keys, field.key) == keys.end()) continue;
+    const nlohmann::ordered_json value = field.get(scene);
+    if (value.is_null() || value == field.get(original) || is_natural(scene, field.key)) continue;
+    options.insert(options.end(), {"--" + field.key, option_value(value)});
+  }
+  return options;
+}
+
+/// The option that gives `original` the inertia of the body of `scene`; none if it is the same.
+Texts body_options(const Scene& original, const Scene& scene) {
+  const Eigen::Matrix3d I = scene::mass_properties(scene.body).inertia;
+  if (I == scene::mass_properties(original.body).inertia) return {};
+  return {"--inertia",
+          fmt::format("{},{},{},{},{},{}", I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))};
+}
+
+/// The page of a scene, and an <img> for browsers that cannot draw it. Without OpenGL there is a
+/// note instead of the <img>.
+struct ScenePage {
+  page::PageDocument page;
+  std::string poster;
+  std::string policy;
+};
+
+ScenePage page_of(const Scene& scene, const Scene& original, const std::string& source,
+                  const Texts& source_options, const std::string& template_file) {
+  const std::string empty = page::page_template(template_file);
+  page::require_shown(scene);
+  const page::PageScene shown{scene, original, source, source_options};
+  std::string poster;
+  Texts notes;
+  try {
+    poster = film::poster_html(scene, {});
+  } catch (const gl::GlError& error) {
+    notes.push_back(fmt::format("the page has no fallback picture: {}", error.what()));
+  }
+  page::PageDocument page = page::page_html(empty, shown, poster);
+  page.notes.insert(page.notes.end(), notes.begin(), notes.end());
+  return {std::move(page), std::move(poster), page::content_policy(empty)};
+}
+
+page::PageDocument make_page(const Scene& scene, const Scene& original, const std::string& source,
+                             const Texts& source_options, const std::string& template_file) {
+  return run_interruptibly([&](const std::atomic<bool>&) {
+    return page_of(scene, original, source, source_options, template_file).page;
+  });
+}
+
+/// Returns notes.
+Texts write_report(const Scene& scene, const Scene& original, const Texts& source,
+                   const std::string& file, const std::string& author, const std::string& date,
+                   bool is_static) {
+  const bool interactive = !report::is_markdown(file) && !is_static;
+  plot::require_gnuplot("figure.svg");
+  scene::require_rigid(scene, "a report");  // before the page, which is drawn first
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    Scene solved = scene;
+    solved.motion.control.stop = &stop;
+    Texts words = source;
+    words.front() = report::argument_of(words.front());
+    const Texts of_body = body_options(original, scene);
+    const std::vector<report::Experiment> experiments{
+        {solved,
+         report::commands_of(scene, words, of_body,
+                             options_between(original, scene, {"omega", "attitude", "duration"}))}};
+    Texts command{"twrench", "report"};
+    command.insert(command.end(), words.begin(), words.end());
+    const Texts of_motion = options_between(
+        original, scene,
+        {"omega", "attitude", "method", "step", "tolerance", "duration", "fps", "speed"});
+    command.insert(command.end(), of_body.begin(), of_body.end());
+    command.insert(command.end(), of_motion.begin(), of_motion.end());
+    if (!author.empty()) command.insert(command.end(), {"--author", author});
+    if (!date.empty()) command.insert(command.end(), {"--date", date});
+    if (is_static) command.emplace_back("--static");
+    command.insert(command.end(), {"-o", report::argument_of(file)});
+    std::optional<report::Viewer> viewer;
+    Texts notes;
+    if (interactive) {
+      ScenePage page =
+          page_of(scene, original, words.front(), Texts(source.begin() + 1, source.end()), {});
+      notes = page.page.notes;
+      viewer = {std::move(page.page.html), std::move(page.policy), std::move(page.poster)};
+    }
+    const report::Document document{
+        scene.shown_title(),        text::escape(author),
+        text::escape(date),         text::escape(system::shell_command(command)),
+        "twrench " TWRENCH_VERSION, report::report_on_motions(experiments)};
+    report::write_report(file, document, viewer ? &*viewer : nullptr);
+    return notes;
+  });
+}
+
+/// Returns notes.
+Texts export_motion(const Scene& scene, const std::string& file, const std::string& format,
+                    double max_angle, std::optional<double> speed, const std::string& epoch) {
+  const interchange::ExportFormat& found = interchange::export_format(format, file);
+  const interchange::ExportOptions options{
+      scene::limits::check(interchange::max_angle_limit, "max_angle", max_angle),
+      speed ? std::optional(scene::limits::check(scene::limits::speed, "speed", *speed))
+            : std::nullopt,
+      epoch};
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    Scene written = scene;
+    written.motion.control.stop = &stop;
+    system::Output output(file);
+    Texts notes = found.write(options, written, [&](std::string_view text) {
+      if (stop) throw Stopped{};
+      output.write(text);
+    });
+    output.finish();
+    return notes;
+  });
+}
+
+plot::AttitudeCurve curve_of(const Scene& scene) {
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    Scene drawn = scene;
+    drawn.motion.control.stop = &stop;
+    return report::attitude_curve(drawn);
+  });
+}
+
+plot::Plot plot_of(const Scene& scene, bool overlay) {
+  const std::vector<plot::AttitudeCurve> curves{curve_of(scene)};
+  return overlay ? plot::column_panels(curves) : plot::nine_panels(curves);
+}
+
+void draw_plot(const Scene& scene, const std::string& file, bool overlay) {
+  plot::require_gnuplot(file);
+  const plot::Plot plot = plot_of(scene, overlay);
+  run_interruptibly([&](const std::atomic<bool>&) { plot::draw_plot(file, plot); });
+}
+
+std::string plot_svg(const Scene& scene, bool overlay) {
+  plot::require_gnuplot("plot.svg");
+  const plot::Plot plot = plot_of(scene, overlay);
+  return run_interruptibly([&](const std::atomic<bool>&) { return plot::svg(plot); });
+}
+
+/// Times (n), attitudes (n, 3, 3) and the times of flips (m).
+py::tuple attitude_curve(const Scene& scene) {
+  const plot::AttitudeCurve curve = curve_of(scene);
+  const auto n = static_cast<py::ssize_t>(curve.samples.size());
+  Array t(n), X({n, py::ssize_t{3}, py::ssize_t{3}});
+  for (py::ssize_t i = 0; i < n; ++i) {
+    const motion::Sample& sample = curve.samples[static_cast<std::size_t>(i)];
+    t.mutable_at(i) = sample.t;
+    for (py::ssize_t row = 0; row < 3; ++row) {
+      for (py::ssize_t column = 0; column < 3; ++column) {
+        X.mutable_at(i, row, column) = sample.X(row, column);
+      }
+    }
+  }
+  return py::make_tuple(t, X,
+                        Array(static_cast<py::ssize_t>(curve.flips.size()), curve.flips.data()));
+}
+
+void write_samples(const std::string& file, const motion::FreeBody& body, const Array& times,
+                   const Array& X, const Array& omega) {
+  using RowMajorMatrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  std::vector<motion::Sample> samples;
+  for (py::ssize_t i = 0; i < times.size(); ++i) {
+    samples.push_back({times.at(i), Eigen::Map<const RowMajorMatrix>(X.data() + 9 * i),
+                       Eigen::Map<const Eigen::Vector3d>(omega.data() + 3 * i)});
+  }
+  run_interruptibly([&](const std::atomic<bool>& stop) {
+    system::Output output(file);
+    interchange::write_csv(
+        [&](std::string_view text) {
+          if (stop) throw Stopped{};
+          output.write(text);
+        },
+        body, samples);
+    output.finish();
+  });
+}
+
+}  // namespace
+
+void add_outputs(py::module_& module) {
+  py::class_<page::PageDocument>(module, "Page")
+      .def_readonly("html", &page::PageDocument::html)
+      .def_readonly("notes", &page::PageDocument::notes);
+  module.def("page", &make_page);
+  module.def("report", &write_report);
+  module.def("export_motion", &export_motion);
+  module.def("draw_plot", &draw_plot);
+  module.def("plot_svg", &plot_svg);
+  module.def("attitude_curve", &attitude_curve);
+  module.def("write_samples", &write_samples);
+  module.def("write_file", [](const fs::path& file, const std::string& bytes) {
+    system::write_file_atomically(file, std::string_view(bytes));
+  });
+  module.def("require_not_input", &system::require_not_input);
+}
+
+}  // namespace twrench::python

@@ -1,0 +1,75 @@
+"""The names that arguments accept, as types, so that a type checker rejects every other name."""
+
+from __future__ import annotations
+
+from os import PathLike
+from typing import Any, Literal, Protocol, Sequence, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+MethodName = Literal[
+    "euler",
+    "lie-euler",
+    "midpoint",
+    "trapezoid",
+    "rk4",
+    "rkf45",
+    "implicit-trapezoid",
+    "strang",
+    "rkmk4",
+    "rkmk45",
+    "cf4",
+    "suzuki4",
+    "taylor",
+    "exact",
+]
+ThemeName = Literal["studio", "paper", "space"]
+MaterialName = Literal["steel", "brass", "wood", "plastic", "rubber", "rock", "paper"]
+FrameName = Literal["space", "body", "rotating"]
+ViewName = Literal["wrench", "momentum", "poinsot", "quad"]
+FeatureName = Literal[
+    "floor",
+    "axes",
+    "momentum",
+    "omega",
+    "trail",
+    "plane",
+    "labels",
+    "hud",
+    "components",
+    "sphere",
+    "poinsot",
+    "curve",
+    "method",
+    "drift",
+    "forces",
+    "tilt",
+    "moments",
+]
+ShapeName = Literal["box", "ellipsoid", "cross"]
+UnitName = Literal["mm", "cm", "m", "inch", "km"]
+ContainerName = Literal["mp4", "mov", "mkv", "webm", "gif", "webp"]
+BackendName = Literal["auto", "osmesa", "egl"]
+ExportFormat = Literal["glb", "aem", "csv", "json"]
+
+#: Numbers in Python's or NumPy's types. Unlike NumPy's ``ArrayLike`` it excludes text.
+Numbers = Union[Sequence[float], NDArray[np.floating[Any]], NDArray[np.integer[Any]]]
+#: Rows of numbers.
+Rows = Union[
+    Sequence[Sequence[float]],
+    Sequence[NDArray[np.floating[Any]]],
+    NDArray[np.floating[Any]],
+    NDArray[np.integer[Any]],
+]
+
+
+class HasMatrix(Protocol):
+    """A rotation such as SciPy's ``Rotation``."""
+
+    def as_matrix(self) -> Any: ...
+
+
+#: A quaternion (w, x, y, z), a rotation matrix (3, 3) or a SciPy ``Rotation``.
+Attitude = Union[Numbers, Rows, HasMatrix]
+StrPath = Union[str, "PathLike[str]"]

@@ -1,0 +1,35 @@
+#include "app/reports/motion_summary.h"
+
+#include <fmt/format.h>
+#include <twrench/motion/exact.h>
+
+#include "scene/prediction.h"
+
+namespace twrench::app {
+namespace {
+
+/// "1 : 1.36 : 2.18", the principal moments as multiples of the least.
+std::string ratio_of_moments(const Eigen::Vector3d& moments) {
+  return fmt::format("1 : {:.3g} : {:.3g}", moments[1] / moments[0], moments[2] / moments[0]);
+}
+
+/// The rate at which the body turns over, from the exact motion.
+std::string flips(const motion::FreeBody& body) {
+  const auto flips = motion::ExactMotion(body).flips();
+  if (!flips || !flips->turns_over()) return "does not flip";
+  constexpr double day = 86400.0;
+  return flips->interval < day ? fmt::format("flips every {:.3g} s", flips->interval)
+                               : fmt::format("flips every {:.3g} d", flips->interval / day);
+}
+
+}  // namespace
+
+std::string motion_summary(const scene::Scene& scene) {
+  const motion::FreeBody body = scene::free_body(scene);
+  const motion::Tilt tilt(body);
+  return fmt::format("{}; moments {}; {}",
+                     scene::prediction(body.principal(), tilt.axis(), tilt.steady_rate()),
+                     ratio_of_moments(body.principal().moments), flips(body));
+}
+
+}  // namespace twrench::app

@@ -1,0 +1,67 @@
+#include "check/reading/informative_rows.h"
+
+#include <twrench/math/so3.h>
+
+#include <algorithm>
+#include <string>
+
+#include "check/reading/row_decoder.h"
+
+namespace twrench::check {
+namespace {
+
+constexpr std::size_t enough = 128, of_the_first = 4096;
+
+/// The stride between the rows that are kept, a power of two.
+std::size_t stride_of(const RowSample& numbers, const Convention& convention) {
+  std::size_t widest = 1;
+  while (enough * widest < numbers.rows.size()) widest *= 2;
+  if (has_rates(convention)) return widest;
+  const std::vector<Row> rows = decoded(numbers, convention);
+  constexpr double near = 0.5;  // rad
+  std::size_t stride = 1;
+  while (stride < widest && so3::log(rows[0].X.transpose() * rows[2 * stride].X).norm() < near) {
+    stride *= 2;
+  }
+  return stride;
+}
+
+}  // namespace
+
+RowSample read_row_sample(const std::filesystem::path& file, const Convention& convention) {
+  const auto table = table::open_table(file);
+  const RowDecoder decoder(table->header(), convention, [] { return std::string(); });
+  table->select(decoder.columns());
+  RowSample numbers{table->header(), decoder.columns(), {}};
+  std::vector<table::Number> row(decoder.columns().size());
+  while (numbers.rows.size() < of_the_first && table->next(row)) numbers.rows.push_back(row);
+  const std::size_t stride = stride_of(numbers, convention);
+  std::vector<std::vector<table::Number>> kept;
+  for (std::size_t i = 0; i < numbers.rows.size() && kept.size() < enough; i += stride) {
+    kept.push_back(numbers.rows[i]);
+  }
+  numbers.rows = std::move(kept);
+  return numbers;
+}
+
+std::vector<Row> decoded(const RowSample& numbers, const Convention& convention) {
+  const RowDecoder decoder(numbers.header, convention, [&] { return numbers.header.file; });
+  std::vector<std::size_t> places;
+  for (const std::size_t column : decoder.columns()) {
+    const auto place = std::ranges::find(numbers.columns, column);
+    places.push_back(static_cast<std::size_t>(place - numbers.columns.begin()));
+  }
+  std::vector<table::Number> in_order(places.size());
+  std::vector<Row> rows(numbers.rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < places.size(); ++k) in_order[k] = numbers.rows[i][places[k]];
+    decoder.decode(in_order, rows[i]);
+  }
+  return rows;
+}
+
+std::vector<Row> informative_rows(const std::filesystem::path& file, const Convention& convention) {
+  return decoded(read_row_sample(file, convention), convention);
+}
+
+}  // namespace twrench::check

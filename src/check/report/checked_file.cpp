@@ -1,0 +1,116 @@
+#include "check/report/checked_file.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "check/report/choice.h"
+#include "check/verdict/error.h"
+#include "study/ladder.h"
+
+namespace twrench::check {
+namespace {
+
+/// Throws InvalidArgument: the bound is for a quantity that the file does not have.
+[[noreturn]] void refuse_bound(const std::string& option, const std::string& file,
+                               const char* missing) {
+  throw InvalidArgument(option,
+                        fmt::format("{} has no {} to compare with the bound", file, missing),
+                        "leave the option out");
+}
+
+std::vector<CheckBound> applied(const Bounds& given, const std::string& file,
+                                const Judgement& judgement) {
+  std::vector<CheckBound> bounds;
+  if (given.attitude_error) {
+    const std::string name = "--max-attitude-error";
+    if (!judgement.attitude) refuse_bound(name, file, "attitude");
+    bounds.push_back({name, "deg", *given.attitude_error, degrees(judgement.attitude->max)});
+  }
+  if (given.rate_error) {
+    const std::string name = "--max-rate-error";
+    const RateScale unit = rate_scale(judgement);
+    if (!judgement.rates) refuse_bound(name, file, "rates");
+    bounds.push_back(
+        {name, unit.symbol, *given.rate_error, judgement.rates->max * unit.per_radian});
+  }
+  if (given.energy_drift) {
+    const std::string name = "--max-energy-drift";
+    bounds.push_back({name, "", *given.energy_drift, judgement.energy_drift});
+  }
+  return bounds;
+}
+
+/// The fit of the initial state, if the rows begin in another state than the given one.
+std::optional<Fit> other_start_of(const CheckedFile& file, Problem problem) try {
+  if (verdict(file).finding != Finding::start) return std::nullopt;
+  problem.omega.reset();
+  problem.fit = true;
+  return judge(file.name, file.judgement.convention, problem).fit;
+} catch (const CheckError&) {
+  return std::nullopt;  // it is at rest
+}
+
+/// The exponent of the errors, from the files whose errors exceed their digits and can still grow:
+/// errors of rates are at most about |omega|, those of attitudes half a turn.
+std::optional<double> order(const std::vector<CheckedFile>& files,
+                            std::optional<ErrorSize> Judgement::*errors) {
+  std::vector<study::PowerLawPoint> points;
+  for (const CheckedFile& file : files) {
+    const auto& size = file.judgement.*errors;
+    const double speed = file.judgement.reference.body.omega().norm();
+    const double most = errors == &Judgement::rates ? speed / 2 : std::numbers::pi / 2;
+    if (size && size->max > 0 && size->max < most && !file.judgement.within_digits) {
+      points.push_back({file.step, size->max});
+    }
+  }
+  return study::fitted_exponent(points);
+}
+
+/// Why the files do not determine an order, if they do not.
+std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) {
+  const auto [least, most] = std::ranges::minmax_element(files, {}, &CheckedFile::step);
+  constexpr double alike = 1.01;
+  if (most->step <= alike * least->step) {
+    return has_steps
+               ? "the step sizes that --steps gives are the same"
+               : "the files have the same time between rows; give their step sizes with --steps";
+  }
+  const auto end = [](const CheckedFile& file) { return file.judgement.last_time; };
+  const auto [first, last] = std::ranges::minmax_element(files, {}, end);
+  if (end(*last) - end(*first) > 1.5 * most->step) return "the files end at different times";
+  return {};
+}
+
+}  // namespace
+
+CheckedFile check_file(const std::string& name, const Convention& given, const Problem& problem,
+                       const Bounds& bounds) {
+  const Convention convention = choose_convention(name, given, problem);
+  CheckedFile file{name, judge(name, convention, problem), {}, {}, {}, 0};
+  file.alternatives = better_readings(name, problem, file.judgement);
+  file.other_start = other_start_of(file, problem);
+  file.bounds = applied(bounds, name, file.judgement);
+  if (file.judgement.rows > 1) {
+    file.step = (file.judgement.last_time - file.judgement.first_time) /
+                static_cast<double>(file.judgement.rows - 1);
+  }
+  return file;
+}
+
+CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
+  if (files.size() < 2) return {};
+  CheckOrders orders{{}, {}, why_no_order(files, has_steps)};
+  if (!orders.why_not.empty()) return orders;
+  orders.rates = order(files, &Judgement::rates);
+  orders.attitude = order(files, &Judgement::attitude);
+  if (!orders.rates && !orders.attitude) {
+    orders.why_not =
+        "fewer than two files have errors that their digits do not explain and that can still grow";
+  }
+  return orders;
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,110 @@
+#include "check/report/choice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/hypotheses/hypotheses.h"
+#include "check/hypotheses/readings.h"
+#include "check/reading/columns.h"
+#include "check/reading/open_conventions.h"
+#include "check/report/option_text.h"
+#include "table/reader.h"
+
+namespace twrench::check {
+namespace {
+
+/// The components of the quaternion in the order of the file's columns: "xyzw".
+std::string component_order(const table::Header& header, const Convention& convention) {
+  std::vector<std::pair<std::size_t, char>> places;
+  for (const char component : {'w', 'x', 'y', 'z'}) {
+    const auto column = convention.columns.find(std::string("q") + component);
+    if (column == convention.columns.end()) return {};
+    places.emplace_back(find_column(header, column->first, column->second), component);
+  }
+  std::ranges::sort(places);
+  std::string order;
+  for (const auto& [place, component] : places) order += component;
+  return order;
+}
+
+/// "these quaternions fit as xyzw, body from space".
+std::string fit_text(const table::Header& header, const Convention& convention) {
+  const char* frames = convention.inverse ? "body from space" : "space from body";
+  switch (attitude_form(convention)) {
+    case AttitudeForm::quaternion:
+      return fmt::format("these quaternions fit as {}, {}", component_order(header, convention),
+                         frames);
+    case AttitudeForm::euler:
+      return fmt::format("these angles fit in the sequence {}, {}", convention.sequence, frames);
+    case AttitudeForm::matrix:
+      return fmt::format("these matrices fit as {}", frames);
+    case AttitudeForm::none:
+      break;
+  }
+  return "only one of them fits the physics";
+}
+
+/// The options that select `one` of the open conventions, for the aspects in which these differ.
+std::string choice_text(const Convention& said, const std::vector<Convention>& open,
+                        const Convention& one) {
+  Convention before = one;
+  const auto differ = [&](auto aspect) {
+    return std::ranges::any_of(
+        open, [&](const Convention& other) { return other.*aspect != one.*aspect; });
+  };
+  const auto take_back = [&](auto aspect) {
+    if (differ(aspect)) before.*aspect = said.*aspect;
+  };
+  take_back(&Convention::columns);
+  take_back(&Convention::time_unit);
+  take_back(&Convention::rate_unit);
+  take_back(&Convention::angle_unit);
+  take_back(&Convention::sequence);
+  take_back(&Convention::inverse);
+  take_back(&Convention::rates_in_space);
+  return option_text(before, one);
+}
+
+InvalidArgument ambiguous(const table::Header& header, const Convention& said,
+                          const std::vector<Convention>& open,
+                          const std::optional<Reading>& fitting) {
+  const std::string why = fmt::format("its columns can be read in {} ways", open.size());
+  if (fitting) {
+    return {header.file, why,
+            fmt::format("{}: add {}", fit_text(header, fitting->convention),
+                        choice_text(said, open, fitting->convention))};
+  }
+  constexpr std::size_t most = 8;
+  std::vector<std::string> ways;
+  for (const Convention& convention : open) {
+    if (ways.size() < most) ways.push_back(choice_text(said, open, convention));
+  }
+  return {
+      header.file, why,
+      fmt::format("say which: {}{}", fmt::join(ways, "; or "), open.size() > most ? " ..." : "")};
+}
+
+}  // namespace
+
+Convention choose_convention(const std::string& file, const Convention& given,
+                             const Problem& problem) {
+  const table::Header header = table::open_table(file)->header();
+  const std::vector<Convention> open = conventions(header, given);
+  if (open.size() == 1) return open.front();
+  std::optional<Reading> fitting = only_fitting(readings(file, problem.inertia, open));
+  // If none of them fits, a reading that no name suggests may do so.
+  if (!fitting) {
+    const Alternatives other = alternatives(file, problem, open.front());
+    if (other.fitting.size() == 1) fitting = other.fitting.front();
+  }
+  throw ambiguous(header, given, open, fitting);
+}
+
+}  // namespace twrench::check

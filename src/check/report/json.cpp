@@ -1,0 +1,236 @@
+#include <nlohmann/json.hpp>
+
+#include "base/enumeration.h"
+#include "check/conventions/units.h"
+#include "check/report/option_text.h"
+#include "check/report/report.h"
+
+namespace twrench::check {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json nullable(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json vector_json(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
+Json size_json(const std::optional<ErrorSize>& size, double factor, const char* unit) {
+  if (!size) return nullptr;
+  return {{"unit", unit},
+          {"max_error", size->max * factor},
+          {"max_error_at", size->at},
+          {"rms_error", size->rms * factor}};
+}
+
+Json flips_json(const Judgement& judgement) {
+  Json list = Json::array();
+  for (const Flip& flip : judgement.flips) {
+    list.push_back({{"t", nullable(flip.found)}, {"exact", nullable(flip.exact)}});
+  }
+  return list;
+}
+
+Json convention_json(const Convention& convention) {
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+  };
+  Json offset = nullptr;
+  if (convention.offset) {
+    const Eigen::Quaterniond& q = *convention.offset;
+    offset = {q.w(), q.x(), q.y(), q.z()};
+  }
+  return {{"columns", convention.columns},
+          {"time_unit", name_of(time_unit(convention)).option},
+          {"units", name_of(rate_unit(convention)).option},
+          {"angle_units", name_of(angle_unit(convention)).option},
+          {"sequence", text_or_null(convention.sequence)},
+          {"inverse", convention.inverse},
+          {"rates", convention.rates_in_space ? "space" : "body"},
+          {"axes", format_body_axes(convention.axes)},
+          {"offset", offset}};
+}
+
+Json fit_json(const Judgement& judgement, double factor) {
+  if (!judgement.fit) return nullptr;
+  const Fit& fit = *judgement.fit;
+  Json covariance = Json::array();
+  for (int i = 0; i < 3; ++i) {
+    covariance.push_back(vector_json(fit.omega_covariance.row(i) * (factor * factor)));
+  }
+  const auto scaled = [](const std::optional<double>& value, double by) {
+    return value ? Json(*value * by) : Json(nullptr);
+  };
+  return {{"rows", fit.rows},
+          {"omega_deviation", vector_json(fit.omega_deviation * factor)},
+          {"omega_covariance", covariance},
+          {"frame_deviation",
+           fit.frame_deviation ? vector_json(*fit.frame_deviation * degrees(1)) : Json(nullptr)},
+          {"rate_residual", scaled(fit.rate_residual, factor)},
+          {"attitude_residual", scaled(fit.attitude_residual, degrees(1))}};
+}
+
+Json phase_json(const Judgement& judgement, double factor) {
+  if (!judgement.parts) return nullptr;
+  const ErrorParts& parts = *judgement.parts;
+  return {{"delay", parts.delay},
+          {"delay_at", parts.delay_at},
+          {"delay_at_end", parts.delay_at_end},
+          {"rate_error", parts.phase_rate * factor},
+          {"angle_about_momentum",
+           judgement.has_attitude ? Json(degrees(parts.angle_about_l)) : Json(nullptr)}};
+}
+
+Json amplitude_json(const Judgement& judgement, double factor) {
+  Json amplitude{{"energy_error", judgement.energy_error},
+                 {"momentum_error", nullable(judgement.momentum_error)},
+                 {"rate_error", nullptr},
+                 {"angle_across_momentum", nullptr}};
+  if (!judgement.parts) return amplitude;
+  amplitude["rate_error"] = judgement.parts->amplitude_rate * factor;
+  if (judgement.has_attitude) {
+    amplitude["angle_across_momentum"] = degrees(judgement.parts->tilt);
+  }
+  return amplitude;
+}
+
+Json conditioning_json(const Judgement& judgement, double factor) {
+  const LastDigits& digits = judgement.digits;
+  const auto of_rates = [&](double value) {
+    return judgement.has_rates ? Json(value * factor) : Json(nullptr);
+  };
+  const auto of_attitude = [&](double value) {
+    return judgement.has_attitude ? Json(degrees(value)) : Json(nullptr);
+  };
+  return {{"rate_growth", judgement.growth.rates},
+          {"attitude_growth", judgement.growth.attitude},
+          {"rate_digit", of_rates(digits.rate)},
+          {"rate_digit_printed", of_rates(digits.printed_rate)},
+          {"attitude_digit", of_attitude(digits.attitude)},
+          {"attitude_digit_printed", of_attitude(digits.printed_attitude)},
+          {"time_digit", digits.time.at(judgement.last_time)},
+          {"rate_limit", of_rates(judgement.rate_limit)},
+          {"attitude_limit", of_attitude(judgement.attitude_limit)},
+          {"within_digits", judgement.within_digits}};
+}
+
+Json consistency_json(const Judgement& judgement) {
+  if (!judgement.has_rates || !judgement.has_attitude) return nullptr;
+  return {{"fit_each_other", !judgement.attitude_contradicts_rates},
+          {"frame_rate", vector_json(judgement.frame_turn.rate * degrees(1))},
+          {"explained_by_frame_rate", judgement.frame_turn.share}};
+}
+
+Json alternative_json(const CheckedFile& file, const Reading& reading) {
+  const Convention& before = file.judgement.convention;
+  return {{"options", option_text(before, reading.convention)},
+          {"without_inverse", before.inverse && !reading.convention.inverse},
+          {"read_as", convention_json(reading.convention)},
+          {"misfit", nullable(reading.misfit.worst())}};
+}
+
+Json alternatives_json(const CheckedFile& file) {
+  Json list = Json::array();
+  for (const Reading& reading : file.alternatives.fitting) {
+    list.push_back(alternative_json(file, reading));
+  }
+  return list;
+}
+
+Json nearest_json(const CheckedFile& file) {
+  const auto& nearest = file.alternatives.nearest;
+  return nearest ? alternative_json(file, *nearest) : Json(nullptr);
+}
+
+/// In axes of the body; only its ratios are determined.
+Json inertia_json(const CheckedFile& file) {
+  if (!file.alternatives.inertia) return nullptr;
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back(vector_json(file.alternatives.inertia->row(i)));
+  return rows;
+}
+
+Json noise_json(const Judgement& judgement, double factor) {
+  return {{"rates", judgement.has_rates ? Json(judgement.noise.rate * factor) : Json(nullptr)},
+          {"attitude",
+           judgement.has_attitude ? Json(degrees(judgement.noise.attitude)) : Json(nullptr)}};
+}
+
+Json precision_json(const Judgement& judgement) {
+  return {{"times", precision_text(judgement.digits.time)},
+          {"rates",
+           judgement.has_rates ? Json(precision_text(judgement.rate_resolution)) : Json(nullptr)},
+          {"attitude", judgement.has_attitude ? Json(precision_text(judgement.attitude_resolution))
+                                              : Json(nullptr)}};
+}
+
+Json bounds_json(const CheckedFile& file) {
+  Json list = Json::array();
+  for (const CheckBound& bound : file.bounds) {
+    list.push_back({{"option", bound.option},
+                    {"unit", bound.unit.empty() ? Json(nullptr) : Json(bound.unit)},
+                    {"most", bound.most},
+                    {"value", bound.value},
+                    {"exceeded", bound.is_exceeded()}});
+  }
+  return list;
+}
+
+Json file_json(const CheckedFile& file) {
+  const Judgement& judgement = file.judgement;
+  const RateScale unit = rate_scale(judgement);
+  const Verdict found = verdict(file);
+  const double speed = judgement.reference.body.omega().norm();
+  return {{"file", file.name},
+          {"rows", judgement.rows},
+          {"first_time", judgement.first_time},
+          {"last_time", judgement.last_time},
+          {"step", file.step},
+          {"read_as", convention_json(judgement.convention)},
+          {"omega", vector_json(judgement.reference.body.omega() * unit.per_radian)},
+          {"omega_at", judgement.reference.start},
+          {"rates", size_json(judgement.rates, unit.per_radian, unit.symbol)},
+          {"attitude", size_json(judgement.attitude, degrees(1), "deg")},
+          {"energy_drift", judgement.energy_drift},
+          {"momentum_drift", nullable(judgement.momentum_drift)},
+          {"momentum_direction_drift",
+           judgement.direction_drift ? Json(degrees(*judgement.direction_drift)) : Json(nullptr)},
+          {"orthogonality_error", nullable(judgement.orthogonality_error)},
+          {"flips", flips_json(judgement)},
+          {"condition",
+           judgement.has_rates ? judgement.growth.rates : judgement.growth.attitude * speed},
+          {"conditioning", conditioning_json(judgement, unit.per_radian)},
+          {"phase", phase_json(judgement, unit.per_radian)},
+          {"amplitude", amplitude_json(judgement, unit.per_radian)},
+          {"consistency", consistency_json(judgement)},
+          {"fit", fit_json(judgement, unit.per_radian)},
+          {"precision", precision_json(judgement)},
+          {"noise", noise_json(judgement, unit.per_radian)},
+          {"follows_the_motion", !is_foreign(judgement)},
+          {"alternatives", alternatives_json(file)},
+          {"nearest", nearest_json(file)},
+          {"other_inertia", inertia_json(file)},
+          {"bounds", bounds_json(file)},
+          {"finding", enumerator_name(found.finding)},
+          {"passes", passes(file)},
+          {"verdict", found.text}};
+}
+
+}  // namespace
+
+std::string check_json(const CheckResult& result) {
+  Json document;
+  if (result.files.size() == 1) {
+    document = file_json(result.files.front());
+  } else {
+    document["files"] = Json::array();
+    for (const CheckedFile& file : result.files) document["files"].push_back(file_json(file));
+    const CheckOrders& orders = result.orders;
+    document["order"] = {
+        {"rates", nullable(orders.rates)},
+        {"attitude", nullable(orders.attitude)},
+        {"why_not", orders.why_not.empty() ? Json(nullptr) : Json(orders.why_not)}};
+  }
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,232 @@
+#include "check/report/report.h"
+
+#include <fmt/format.h>
+#include <twrench/motion/exact.h>
+
+#include <cmath>
+
+#include "check/conventions/units.h"
+#include "text/escape.h"
+
+namespace twrench::check {
+namespace {
+
+std::string line(std::string_view name, const std::string& text) {
+  return text.empty() ? std::string() : fmt::format("  {:<16}{}\n", name, text);
+}
+
+std::string reading_text(const Convention& convention) {
+  std::string text = format_columns(convention.columns);
+  if (!convention.sequence.empty()) text += ", sequence " + convention.sequence;
+  if (convention.inverse) text += ", body from space";
+  if (convention.rates_in_space) text += ", rates in space axes";
+  if (convention.time_unit)
+    text += fmt::format(", times in {}", name_of(*convention.time_unit).option);
+  if (convention.axes != BodyAxes()) {
+    text += ", axes " + format_body_axes(convention.axes);
+  }
+  if (convention.offset) text += ", attitude of a part that is turned in the body";
+  return text;
+}
+
+/// The precision of the numbers. The resolution limit follows from it.
+std::string precision_line(const Judgement& judgement) {
+  std::string text = "times: " + precision_text(judgement.digits.time);
+  if (judgement.has_rates) text += "; rates: " + precision_text(judgement.rate_resolution);
+  if (judgement.has_attitude)
+    text += "; attitude: " + precision_text(judgement.attitude_resolution);
+  return text;
+}
+
+std::string vector_text(const Eigen::Vector3d& v) {
+  return fmt::format("{:.10g},{:.10g},{:.10g}", v[0], v[1], v[2]);
+}
+
+std::string start_text(const Judgement& judgement) {
+  const RateScale unit = rate_scale(judgement);
+  const Reference& reference = judgement.reference;
+  const std::string rates = vector_text(reference.body.omega() * unit.per_radian);
+  std::string text =
+      fmt::format("omega {} {} at t = {:.10g} s", rates, unit.symbol, reference.start);
+  if (!judgement.fit) return text;
+  const Fit& fit = *judgement.fit;
+  text += fmt::format(", fitted to {} rows, +- {:.2g},{:.2g},{:.2g}", fit.rows,
+                      fit.omega_deviation[0] * unit.per_radian,
+                      fit.omega_deviation[1] * unit.per_radian,
+                      fit.omega_deviation[2] * unit.per_radian);
+  if (fit.rate_residual) {
+    text += fmt::format("; residual {:.3g} {}", *fit.rate_residual * unit.per_radian, unit.symbol);
+  }
+  if (fit.attitude_residual) {
+    text += fmt::format("; residual {:.3g} deg", degrees(*fit.attitude_residual));
+  }
+  return text;
+}
+
+std::string size_text(const std::optional<ErrorSize>& size, double factor, const char* unit) {
+  if (!size) return {};
+  return fmt::format("{:.3g} {} at {:.10g} s, rms {:.3g} {}", size->max * factor, unit, size->at,
+                     size->rms * factor, unit);
+}
+
+std::string phase_text(const Judgement& judgement) {
+  if (!judgement.parts) {
+    const motion::ExactMotion exact(judgement.reference.body);
+    const bool is_steady = exact.kind() == motion::ExactMotion::Kind::steady;
+    return is_steady ? "none: the motion is steady" : "lost: the rates are on no one polhode";
+  }
+  const ErrorParts& parts = *judgement.parts;
+  const RateScale unit = rate_scale(judgement);
+  std::string text = fmt::format("{:.3g} s {} at {:.10g} s, {:.3g} {}", std::abs(parts.delay),
+                                 parts.delay < 0 ? "early" : "late", parts.delay_at,
+                                 parts.phase_rate * unit.per_radian, unit.symbol);
+  if (judgement.has_attitude) {
+    text += fmt::format("; about L {:.3g} deg", degrees(parts.angle_about_l));
+  }
+  return text;
+}
+
+std::string amplitude_text(const Judgement& judgement) {
+  const RateScale unit = rate_scale(judgement);
+  std::string text = fmt::format("energy {:.2e}", judgement.energy_error);
+  if (judgement.momentum_error) text += fmt::format(", |L| {:.2e}", *judgement.momentum_error);
+  if (!judgement.parts) return text;
+  text +=
+      fmt::format(", {:.3g} {}", judgement.parts->amplitude_rate * unit.per_radian, unit.symbol);
+  if (judgement.has_attitude) {
+    text += fmt::format("; across L {:.3g} deg", degrees(judgement.parts->tilt));
+  }
+  return text;
+}
+
+std::string drift_text(const Judgement& judgement) {
+  std::string text = fmt::format("energy {:.2e}", judgement.energy_drift);
+  if (judgement.momentum_drift) text += fmt::format(", |L| {:.2e}", *judgement.momentum_drift);
+  if (judgement.direction_drift) {
+    text += fmt::format(", direction of L {:.2g} deg", degrees(*judgement.direction_drift));
+  }
+  if (judgement.orthogonality_error) {
+    text += fmt::format(", orthogonality {:.2e}", *judgement.orthogonality_error);
+  }
+  return text + (judgement.has_rates ? "" : " (of the rates that the attitude implies)");
+}
+
+/// How far an error of the initial state grows, and with it the rounding of the file's digits.
+std::string conditioning_text(const Judgement& judgement) {
+  const RateScale unit = rate_scale(judgement);
+  const LastDigits& digits = judgement.digits;
+  if (judgement.rows == 1) return {};
+  std::string of_digits, open;
+  if (judgement.has_rates) {
+    of_digits = fmt::format("{:.2g} {}, ", digits.rate * unit.per_radian, unit.symbol);
+    open = fmt::format("{:.3g} {}", judgement.rate_limit * unit.per_radian, unit.symbol);
+  }
+  if (judgement.has_attitude) {
+    of_digits += fmt::format("{:.2g} deg, ", degrees(digits.attitude));
+    open +=
+        fmt::format("{}{:.3g} deg", open.empty() ? "" : " and ", degrees(judgement.attitude_limit));
+  }
+  return fmt::format(
+      "an error of the initial rates grows {:.3g} times; with the resolution of the digits, "
+      "{}{:.2g} "
+      "s, the limit is {} at the end",
+      judgement.growth.rates, of_digits, digits.time.at(judgement.last_time), open);
+}
+
+/// The noise, if it is larger than the resolution of the digits.
+std::string noise_text(const Judgement& judgement) {
+  const LastDigits& digits = judgement.digits;
+  std::string text;
+  if (is_foreign(judgement)) return text;
+  if (judgement.noise.rate > digits.printed_rate) {
+    const RateScale unit = rate_scale(judgement);
+    text = fmt::format("rates are printed to {:.1e} {}, but scatter by {:.1e} from row to row",
+                       digits.printed_rate * unit.per_radian, unit.symbol,
+                       judgement.noise.rate * unit.per_radian);
+  }
+  if (judgement.noise.attitude > digits.printed_attitude) {
+    text += fmt::format("{}the attitude is printed to {:.1e} deg, but scatters by {:.1e}",
+                        text.empty() ? "" : "; ", degrees(digits.printed_attitude),
+                        degrees(judgement.noise.attitude));
+  }
+  return text;
+}
+
+std::string time_text(const std::optional<double>& t) {
+  return t ? fmt::format("{:.9f}", *t) : "-";
+}
+
+std::string flip_line(const Flip& flip) {
+  const std::string offset =
+      flip.found && flip.exact ? fmt::format("{:+.3g}", *flip.found - *flip.exact) : "-";
+  return fmt::format("    {:>18}{:>18}{:>14}\n", time_text(flip.found), time_text(flip.exact),
+                     offset);
+}
+
+std::string no_flips(const Judgement& judgement) {
+  const motion::ExactMotion exact(judgement.reference.body);
+  if (exact.kind() == motion::ExactMotion::Kind::steady) {
+    return "none: the exact motion is steady";
+  }
+  return exact.flips() ? "none in this time" : "none: there is no intermediate axis";
+}
+
+std::string flips_text(const Judgement& judgement) {
+  const auto& flips = judgement.flips;
+  if (flips.empty()) return line("flips", no_flips(judgement));
+  const auto found =
+      std::ranges::count_if(flips, [](auto& flip) { return flip.found.has_value(); });
+  const auto exact =
+      std::ranges::count_if(flips, [](auto& flip) { return flip.exact.has_value(); });
+  std::string text = line("flips", fmt::format("{} found, {} exact", found, exact));
+  text += fmt::format("    {:>18}{:>18}{:>14}\n", "found, s", "exact, s", "offset, s");
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(flips.size(), most); ++i) text += flip_line(flips[i]);
+  return text + (flips.size() > most ? "    ...\n" : "");
+}
+
+std::string bounds_text(const CheckedFile& file) {
+  std::string text;
+  for (const CheckBound& bound : file.bounds) {
+    text += line(bound.is_exceeded() ? "exceeded" : "held",
+                 fmt::format("{} {:.6g}{}{}: {:.6g}", bound.option, bound.most,
+                             bound.unit.empty() ? "" : " ", bound.unit, bound.value));
+  }
+  return text;
+}
+
+std::string file_text(const CheckedFile& file) {
+  const Judgement& judgement = file.judgement;
+  const RateScale unit = rate_scale(judgement);
+  return fmt::format("{}: {} rows, {:.10g} to {:.10g} s\n", text::escape(file.name), judgement.rows,
+                     judgement.first_time, judgement.last_time) +
+         line("read as", text::escape(reading_text(judgement.convention))) +
+         line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
+         line("rate error", size_text(judgement.rates, unit.per_radian, unit.symbol)) +
+         line("attitude error", size_text(judgement.attitude, degrees(1), "deg")) +
+         line("drift", drift_text(judgement)) + line("phase", phase_text(judgement)) +
+         line("amplitude", amplitude_text(judgement)) + flips_text(judgement) +
+         line("conditioning", conditioning_text(judgement)) + line("noise", noise_text(judgement)) +
+         bounds_text(file) + line("verdict", text::escape(verdict(file).text));
+}
+
+std::string orders_text(const CheckResult& result) {
+  const CheckOrders& orders = result.orders;
+  if (!orders.why_not.empty()) return "order: " + orders.why_not + "\n";
+  std::string text;
+  if (orders.rates) text += fmt::format("order seen in the rates: {:.2f}\n", *orders.rates);
+  if (orders.attitude)
+    text += fmt::format("order seen in the attitude: {:.2f}\n", *orders.attitude);
+  return text;
+}
+
+}  // namespace
+
+std::string check_text(const CheckResult& result) {
+  std::string text;
+  for (const CheckedFile& file : result.files)
+    text += file_text(file) + (result.files.size() > 1 ? "\n" : "");
+  return text + orders_text(result);
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "check/report/result.h"
+
+namespace twrench::check {
+
+/// Returns the report for people.
+std::string check_text(const CheckResult& result);
+
+/// Returns one object for one file; for several, {"files": [...], "order": {...}}.
+std::string check_json(const CheckResult& result);
+
+/// Returns JUnit XML for continuous-integration servers: one suite for each file, with a test case
+/// for each bound or, without bounds, for whether the file follows the motion.
+std::string check_junit(const CheckResult& result);
+
+}  // namespace twrench::check

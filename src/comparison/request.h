@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "comparison/comparison.h"
+
+namespace twrench::comparison {
+
+/// A comparison of two files or two folders, with its outputs.
+struct Request {
+  /// Two files, or two folders of frames.
+  std::filesystem::path expected, actual;
+  Criteria criteria;
+  /// The PNG file for the amplified difference of two files; or empty.
+  std::string difference = {};
+  /// The file for a page that shows what differs; or empty.
+  std::string page = {};
+  /// Whether the expected file or folder may be missing, because it will be updated.
+  bool may_be_new = false;
+};
+
+/// Compares two files or folders, and writes the difference and the page. `progress` is as for
+/// compare_folders(). Throws InvalidArgument if a file is compared with a folder, OverwriteError if
+/// an output is one of the inputs, and as compare_folders() and compare_pictures() do.
+Comparison compare(const Request& request,
+                   const std::function<void(int done, int total)>& progress);
+
+}  // namespace twrench::comparison

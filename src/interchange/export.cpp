@@ -1,0 +1,89 @@
+#include "interchange/export.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "interchange/aem.h"
+#include "interchange/gltf_scene.h"
+
+namespace twrench::interchange {
+namespace {
+
+constexpr const char* program = "twrench " TWRENCH_VERSION;
+
+/// Returns a note if the clock of a player cannot be as exact as the keys of the animation.
+std::vector<std::string> notes_on_clocks(const scene::Scene& scene,
+                                         const AnimationOptions& animation) {
+  const auto end = static_cast<float>(scene.motion.duration / animation.speed);
+  const double spacing = std::nextafter(end, std::numeric_limits<float>::infinity()) - end;
+  const double angle = scene.motion.omega.norm() * animation.speed * spacing / 2;
+  if (angle <= animation.max_angle) return {};
+  return {fmt::format(
+      "a player that keeps the time as a float32 number is off by up to {:.2g} rad at {:.6g} s, "
+      "where these are {:.2g} s apart",
+      angle, end, spacing)};
+}
+
+/// Returns the seconds of motion per second of the animation. The default is 1, or the film's speed
+/// if the motion is too fast or too slow to be watched.
+double animation_speed(const ExportOptions& options, const scene::Scene& scene) {
+  if (options.speed) return *options.speed;
+  constexpr double slowest = 0.01, fastest = 100;  // film speeds close enough to real time
+  const double speed = scene.film.speed;
+  return speed >= slowest && speed <= fastest ? 1 : speed;
+}
+
+std::vector<std::string> write_gltf(const ExportOptions& options, const scene::Scene& scene,
+                                    const Write& write) {
+  const AnimationOptions animation{.max_angle = options.max_angle,
+                                   .speed = animation_speed(options, scene)};
+  gltf_scene(scene, animation, program).write_glb(write);
+  return notes_on_clocks(scene, animation);
+}
+
+std::vector<std::string> write_attitude_ephemeris(const ExportOptions& options,
+                                                  const scene::Scene& scene, const Write& write) {
+  const RegularTimes times(scene);
+  write_aem(scene, parse_epoch(options.epoch, "--epoch"), program, times.size(), times, write);
+  return {};
+}
+
+constexpr std::array<ExportFormat, 4> formats{
+    {{"glb", "glTF 2.0, an animated model", write_gltf},
+     {"aem", "CCSDS attitude ephemeris message", write_attitude_ephemeris},
+     {"csv", "as simulate writes it",
+      [](const ExportOptions&, const scene::Scene& scene, const Write& write) {
+        write_trajectory(write, scene, "csv", {});
+        return std::vector<std::string>();
+      }},
+     {"json", "as simulate writes it",
+      [](const ExportOptions&, const scene::Scene& scene, const Write& write) {
+        write_trajectory(write, scene, "json", {});
+        return std::vector<std::string>();
+      }}}};
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() { return formats; }
+
+const ExportFormat& export_format(const std::string& name, const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  for (const ExportFormat& format : formats) {
+    if (name == format.name) return format;
+    if (name.empty() && ending == std::string(".") + format.name) return format;
+  }
+  if (file == "-") {
+    throw InvalidArgument("--format", "is needed for standard output, which has no file extension",
+                          "give glb, aem, csv or json");
+  }
+  throw InvalidArgument(fmt::format("export {}", file),
+                        "its name must end in .glb, .aem, .csv or .json",
+                        "choose another name, or the format: --format glb, aem, csv or json");
+}
+
+}  // namespace twrench::interchange

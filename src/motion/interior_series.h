@@ -1,0 +1,59 @@
+#pragma once
+
+#include <twrench/motion/free_body.h>
+
+#include <Eigen/Core>
+#include <array>
+
+#include "motion/scheme.h"
+#include "motion/series_steps.h"
+
+namespace twrench::motion {
+
+/// The motion of a body with a wheel or energy loss as a Taylor series in time. With m = X^T L,
+///  w = I^-1 (m - h),  c = m x w,  omega = w + a c,  m' = c + a (m x c),  q' = q omega / 2,
+/// where q is the quaternion of the rotation since the expansion point. TaylorSeries has the same
+/// functions; it is faster, but only for rigid bodies.
+class InteriorSeries {
+ public:
+  /// The attitude, which determines m.
+  struct State {
+    Eigen::Matrix3d X;  ///< space_from_body.
+  };
+
+  /// Throws OutOfRange unless the order is even and 2 to max_taylor_order.
+  InteriorSeries(const FreeBody& body, const Taylor& method);
+
+  /// Returns the state of an attitude space_from_body. The momentum is not used, because it follows
+  /// from the attitude.
+  State state_of(const Eigen::Matrix3d& X, const Eigen::Vector3d& momentum) const;
+  /// Returns the sample of a state at the time t in s.
+  Sample sample(double t, const State& state) const;
+  /// Moves the expansion point.
+  void expand(const State& state);
+  /// Returns the state h seconds after the expansion point.
+  State at(double h) const;
+  /// Returns the larger of the contributions of the last two orders to X after h seconds, in the
+  /// Frobenius norm.
+  double last_terms(double h) const { return last_.after(h / time_unit_); }
+  /// Returns the longest h > 0 in s for which last_terms(h) is within `tolerance`.
+  double max_step(double tolerance) const { return time_unit_ * last_.longest_time(tolerance); }
+
+ private:
+  struct Quaternion {
+    double w;
+    Eigen::Vector3d v;
+  };
+
+  FreeBody body_;
+  std::size_t order_;
+  double momentum_unit_ = 1;  ///< g cm^2/s
+  double time_unit_ = 1;      ///< s; |omega| is at most 1 in the inverse of this unit.
+  double loss_ = 0;           ///< a in these units.
+  Eigen::Matrix3d inverse_;   ///< I^-1 in these units.
+  State start_;
+  std::array<Quaternion, max_taylor_order + 1> q_;  ///< Coefficients.
+  LastTerms last_{};
+};
+
+}  // namespace twrench::motion

@@ -1,0 +1,89 @@
+#include "page/page_html.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "embedded/page.h"
+#include "page/page_json.h"
+#include "page/template_filling.h"
+#include "scene/interior.h"
+#include "scene/scene_json.h"
+#include "system/file.h"
+#include "text/xml.h"
+
+namespace twrench::page {
+namespace {
+
+/// Escapes the data, so that no part of it looks like the end of the script. From the source and
+/// its scene, the page composes a command line for what it shows.
+std::string scene_html(const PageScene& scene, const Surface& surface) {
+  nlohmann::ordered_json json = page_json(scene.shown, surface);
+  json["program"] = "twrench " TWRENCH_VERSION;
+  json["source"] = scene.source;
+  json["source_options"] = scene.source_options;
+  json["source_scene"] = scene::scene_json(scene.original);
+  std::string data;
+  for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
+    if (c == '<') {
+      data += "\\u003c";
+    } else {
+      data += c;
+    }
+  }
+  return "<script type=\"application/json\" id=\"scene\">" + data + "</script>";
+}
+
+}  // namespace
+
+std::string page_template(const std::string& file) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 26U;
+  if (!file.empty()) {
+    const auto bytes = system::read_regular_file(file, most_bytes);
+    return {bytes.begin(), bytes.end()};
+  }
+  const auto& files = embedded::page();
+  const auto found = files.find("page.html");
+  if (found != files.end()) return std::string(found->second);
+  throw system::FileError("page", "this build does not include the page",
+                          "run scripts/page.sh, which makes it, and build again");
+}
+
+void require_shown(const scene::Scene& scene) {
+  scene::require_rigid(scene, "a page");
+  const auto begins_turned = [](const scene::Shot& shot) {
+    return shot.scene.motion.attitude.has_value();
+  };
+  if (!scene.motion.attitude && std::ranges::none_of(scene.shots, begins_turned)) return;
+  throw InvalidArgument("attitude", "a page begins with X(0) = Id",
+                        "leave it out; for a report, use --static");
+}
+
+PageDocument page_html(const std::string& page_template, const PageScene& scene,
+                       const std::string& poster) {
+  require_shown(scene.shown);
+  const Surface surface = surface_of(scene.shown.body);
+  const std::string title = text::escape_xml(scene.shown.shown_title());
+  TemplateFilling page(page_template);
+  page.put("{{title}}", title);
+  page.put("{{title}}", title);
+  page.put("<!-- twrench:poster -->", poster);
+  page.put("<!-- twrench:scene -->", scene_html(scene, surface));
+  PageDocument document{std::move(page).filled(), {}};
+  if (const auto& simplified = surface.simplification) {
+    document.notes.push_back(
+        fmt::format("the page draws {} of {} triangles; mass properties use all of them",
+                    simplified->drawn, simplified->given));
+  }
+  return document;
+}
+
+std::string content_policy(const std::string& page_template) {
+  const std::size_t policy = page_template.find("<meta http-equiv=\"Content-Security-Policy\"");
+  if (policy == std::string::npos) return {};
+  return page_template.substr(policy, page_template.find('>', policy) + 1 - policy);
+}
+
+}  // namespace twrench::page

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace twrench::page {
+
+/// Returns the page without a scene, as scripts/page.sh builds it: the one in the file or, if the
+/// name is empty, the built-in one. Throws FileError if the file cannot be read or none is built
+/// in.
+std::string page_template(const std::string& file);
+
+/// The scene of a page.
+struct PageScene {
+  /// The scene that is shown.
+  scene::Scene shown;
+  /// The scene without the overrides of the command line.
+  scene::Scene original;
+  /// Its name or file, as in a command line.
+  std::string source;
+  /// The options that follow the source in a command line, if it is a mesh.
+  std::vector<std::string> source_options;
+};
+
+/// A page with its scene.
+struct PageDocument {
+  std::string html;
+  /// Notes for the user, one line each.
+  std::vector<std::string> notes;
+};
+
+/// Throws InvalidArgument if a page would compute a different motion. page_html() does the same,
+/// but needs the poster, which takes long to draw.
+void require_shown(const scene::Scene& scene);
+
+/// Returns the page of a scene. `poster` is an <img> element, or empty. Throws FileError if the
+/// template lacks a mark, and InvalidArgument for a scene that a page cannot show.
+PageDocument page_html(const std::string& page_template, const PageScene& scene,
+                       const std::string& poster);
+
+/// Returns the <meta> element of a page's content security policy; empty if the page has none.
+std::string content_policy(const std::string& page_template);
+
+}  // namespace twrench::page

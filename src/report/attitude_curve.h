@@ -1,0 +1,12 @@
+#pragma once
+
+#include "plot/attitude_plot.h"
+#include "scene/scene.h"
+
+namespace twrench::report {
+
+/// Returns the motion of a scene by its own method, as `twrench plot` draws it, with the flips of
+/// the exact motion if the body turns over. Throws as integrate() does.
+plot::AttitudeCurve attitude_curve(const scene::Scene& scene);
+
+}  // namespace twrench::report

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "scene/scene.h"
+
+// Scenes whose body contains a wheel or loses energy.
+
+namespace twrench::scene {
+
+/// Throws InvalidArgument unless the body can have the scene's wheel and energy loss, with each
+/// omega of the scene. `name_of` returns the name of a key of [motion] in messages.
+void check_interior(const Scene& scene,
+                    const std::function<std::string(const std::string& key)>& name_of);
+
+/// Throws InvalidArgument unless the body of the scene and of each shot is rigid. `what` names the
+/// result that needs a rigid body, such as "a page".
+void require_rigid(const Scene& scene, const std::string& what);
+
+/// Throws InvalidArgument if a scene whose body is not rigid, or such a shot, shows something in
+/// its film that has a meaning only for rigid bodies.
+void check_shown_motion(const Scene& film);
+
+}  // namespace twrench::scene

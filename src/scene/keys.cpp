@@ -1,0 +1,202 @@
+#include "scene/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/color.h"
+#include "base/enumeration.h"
+#include "body/dimensions.h"
+#include "mesh/mesh_file.h"
+#include "scene/dimensions.h"
+#include "scene/materials.h"
+#include "scene/scene.h"
+
+namespace twrench::scene {
+namespace {
+
+/// "tube_radius" as words: "tube radius".
+std::string words_of(std::string key) {
+  std::ranges::replace(key, '_', ' ');
+  return key;
+}
+
+Key dimension_key(const body::Dimension& dimension) {
+  using enum ValueForm::Kind;
+  const bool is_vector = dimension.values.size() > 1;
+  Key key{.name = dimension.key,
+          .help = words_of(dimension.key) + (is_vector ? " along x, y and z, cm" : ", cm"),
+          .form = {is_vector ? vector : number, limit_of(dimension)},
+          .is_required = !dimension.may_be_zero};
+  if (dimension.greater != nullptr) key.help += "; less than the " + dimension.greater_key;
+  if (dimension.may_be_zero) key.value = 0;
+  return key;
+}
+
+std::vector<Key> dimension_keys(body::Shape shape) {
+  std::vector<Key> keys;
+  for (const body::Dimension& dimension : body::dimensions(shape)) {
+    keys.push_back(dimension_key(dimension));
+  }
+  return keys;
+}
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  std::ranges::transform(shape_keys(), std::back_inserter(names), &ShapeKeys::shape);
+  return names;
+}
+
+}  // namespace
+
+const std::vector<Key>& mesh_keys() {
+  using enum ValueForm::Kind;
+  static const std::vector<Key> all{
+      {.name = "file",
+       .help = "path of an OBJ, STL, PLY or glTF file, from the folder of the scene file",
+       .form = {text},
+       .is_required = true},
+      {.name = "unit",
+       .help = "unit of the file",
+       .form = {text, {}, mesh::unit_names()},
+       .otherwise = "metres for glTF; other formats need it or scale"},
+      {.name = "scale",
+       .help = "centimetres per unit of the file",
+       .form = {number, limits::mesh_scale},
+       .instead_of = "unit"},
+      {.name = "weld",
+       .help = "vertices no farther apart than this are joined, cm",
+       .form = {number, limits::length_or_none},
+       .value = 0},
+      {.name = "shell",
+       .help = "thickness of a thin wall along the surface, cm",
+       .form = {number, limits::length},
+       .otherwise = "a solid"},
+      {.name = "crease",
+       .help = "largest angle between triangles that are drawn as one smooth surface, rad",
+       .form = {number, limits::crease},
+       .value = PartLook().crease_angle},
+  };
+  return all;
+}
+
+const std::vector<ShapeKeys>& shape_keys() {
+  static const std::vector<ShapeKeys> all = [] {
+    std::vector<ShapeKeys> keys;
+    for (const body::Shape& shape : body::all_shapes()) {
+      const bool is_mesh = std::holds_alternative<body::Mesh>(shape);
+      keys.push_back({body::shape_name(shape), is_mesh ? mesh_keys() : dimension_keys(shape)});
+      if (std::holds_alternative<body::Ellipsoid>(shape)) {
+        keys.push_back({"sphere",
+                        {{.name = "radius",
+                          .help = "radius, cm",
+                          .form = {ValueForm::Kind::number, limits::length},
+                          .is_required = true}}});
+      }
+    }
+    return keys;
+  }();
+  return all;
+}
+
+const std::vector<Key>& part_keys() {
+  using enum ValueForm::Kind;
+  static const std::vector<Key> all{
+      {.name = "name",
+       .help = "name of the part; parts with the same name belong together",
+       .form = {text}},
+      {.name = "shape", .help = "shape", .form = {text, {}, shape_names()}, .is_required = true},
+      {.name = "density", .help = "density, g/cm^3", .form = {number, limits::density}},
+      {.name = "mass",
+       .help = "mass, g, instead of the density",
+       .form = {number, limits::mass},
+       .instead_of = "density"},
+      {.name = "position",
+       .help = "position of the shape's own origin, cm",
+       .form = {vector, limits::coordinate},
+       .value = {0, 0, 0}},
+      {.name = "axis",
+       .help = "direction of the shape's own z axis, of any length but zero",
+       .form = {vector, limits::coordinate},
+       .value = {0, 0, 1}},
+      {.name = "rotation",
+       .help = "rotation of the shape as axis times angle, rad, instead of axis",
+       .form = {vector, limits::coordinate},
+       .instead_of = "axis"},
+      {.name = "material",
+       .help = "material, which sets colour, metalness and roughness",
+       .form = {text, {}, material_names()},
+       .otherwise = "that of [look]"},
+      {.name = "color",
+       .help = "colour: #rrggbb, #rgb, black, gray or white",
+       .form = {text, {}, color_names(), true},
+       .otherwise = "that of the material or of [look]"},
+      {.name = "metallic",
+       .help = "metalness, 0 (paint) to 1 (metal)",
+       .form = {number, limits::fraction},
+       .otherwise = "that of the material or of [look]"},
+      {.name = "roughness",
+       .help = "surface roughness, 0.05 (mirror) to 1 (chalk)",
+       .form = {number, limits::roughness},
+       .otherwise = "that of the material or of [look]"},
+  };
+  return all;
+}
+
+const std::vector<Key>& body_keys() {
+  using enum ValueForm::Kind;
+  static const std::vector<Key> all{
+      {.name = "moments",
+       .help = "principal moments of inertia about the body's axes, g cm^2",
+       .form = {vector, limits::moment}},
+      {.name = "inertia",
+       .help = "inertia matrix about the centre of mass, g cm^2, by rows; its products of inertia "
+               "are the entries of the matrix: Ixy is minus the integral of x y dm",
+       .form = {vectors, limits::matrix_entry, {}, false, 3, 3},
+       .instead_of = "moments"},
+      {.name = "shape",
+       .help = "solid with this inertia that is drawn, along the principal axes",
+       .form = {text, {}, enumerator_names<Equimomental>()},
+       .value = enumerator_name(Body().drawn_as)},
+  };
+  return all;
+}
+
+const std::vector<Key>& shot_keys() {
+  using enum ValueForm::Kind;
+  static const std::vector<Key> all{
+      {.name = "length",
+       .help = "duration of the shot, s of video",
+       .form = {number, limits::shot_length},
+       .is_required = true},
+      {.name = "caption", .help = "text at the bottom of the picture", .form = {text}, .value = ""},
+      {.name = "fade",
+       .help = "time at the start of the shot in which the previous one fades into it, s of video",
+       .form = {number, limits::shot_transition},
+       .value = 0},
+      {.name = "move",
+       .help = "time at the start of the shot in which the camera comes from the previous shot's "
+               "place, s of video",
+       .form = {number, limits::shot_transition},
+       .value = 0},
+      {.name = "speed",
+       .help = "seconds of motion per second of video: a number, or pairs of a time in the shot, "
+               "s, and the speed then",
+       .form = {number, limits::shot_speed},
+       .otherwise = "that of [film]"},
+      {.name = "start",
+       .help = "time of the motion at the start of the shot, s",
+       .form = {number, limits::shot_start},
+       .otherwise = "the end of the previous shot of the same motion, or 0"},
+  };
+  return all;
+}
+
+const Key& key_named(const std::vector<Key>& keys, std::string_view name) {
+  const auto found = std::ranges::find(keys, name, &Key::name);
+  if (found == keys.end()) throw std::out_of_range(fmt::format("no key {} is declared", name));
+  return *found;
+}
+
+}  // namespace twrench::scene

@@ -1,0 +1,42 @@
+#include "system/output.h"
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+
+#include "system/file.h"
+
+namespace twrench::system {
+
+Output::Output(const std::string& path) {
+  if (path != "-") file_.emplace(path);
+}
+
+void Output::write(std::string_view text) {
+  constexpr std::size_t enough = 1 << 16;
+  waiting_ += text;
+  if (waiting_.size() >= enough) pass_on();
+}
+
+void Output::finish() {
+  pass_on();
+  if (file_) return file_->commit();
+  if (std::fflush(stdout) != 0) throw file_error("cannot write standard output", errno);
+}
+
+void Output::pass_on() {
+  if (file_) {
+    file_->write({reinterpret_cast<const std::uint8_t*>(waiting_.data()), waiting_.size()});
+  } else if (std::fwrite(waiting_.data(), 1, waiting_.size(), stdout) != waiting_.size()) {
+    throw file_error("cannot write standard output", errno);
+  }
+  waiting_.clear();
+}
+
+void write_output(const std::string& path, std::string_view text) {
+  Output output(path);
+  output.write(text);
+  output.finish();
+}
+
+}  // namespace twrench::system

@@ -1,0 +1,331 @@
+// Commands on a body with a wheel or energy loss.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/samples.h"
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string list_of(const Vector3d& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
+
+/// A motion of tests/reference/constant_momentum.json as a scene file and as options, with the
+/// times and the attitudes of its samples.
+struct Reference {
+  explicit Reference(const json& c) : name(c["name"]) {
+    const json& I = c["inertia"];
+    const std::string omega = list_of(vector_of(c["omega0"]));
+    toml = "[body]\ninertia = " + I.dump() + "\n[motion]\nomega = [" + omega + "]\n";
+    options = fmt::format("--inertia {},{},{},{},{},{} --omega={}", I[0][0].get<double>(),
+                          I[1][1].get<double>(), I[2][2].get<double>(), I[0][1].get<double>(),
+                          I[0][2].get<double>(), I[1][2].get<double>(), omega);
+    if (c.contains("rotor")) {
+      const std::string wheel = list_of(vector_of(c["rotor"]));
+      toml += "wheel = [" + wheel + "]\n";
+      options += " --wheel=" + wheel;
+    }
+    if (c.contains("tau")) {
+      toml += "energy_loss_time = " + c["tau"].dump() + "\n";
+      options += " --energy-loss-time " + c["tau"].dump();
+    }
+    for (const json& sample : c["samples"]) {
+      times += fmt::format("{}{}", times.empty() ? "" : ",", sample["t"].get<double>());
+      Matrix3d& X = attitudes.emplace_back();
+      for (int i = 0; i < 9; ++i) {
+        X(i / 3, i % 3) = std::stod(sample["X"][i / 3][i % 3].get<std::string>());
+      }
+    }
+  }
+
+  std::string name, toml, options, times;
+  std::vector<Matrix3d> attitudes;
+};
+
+std::vector<Reference> references() {
+  std::ifstream file(TWRENCH_TESTS_DIR "/reference/constant_momentum.json");
+  std::vector<Reference> all;
+  for (const json& c : json::parse(file)) all.emplace_back(c);
+  return all;
+}
+
+TEST(Interior, SimulateFollowsTheReference) {
+  const ScratchFolder folder;
+  const std::vector<Reference> all = references();
+  ASSERT_GE(all.size(), 3U);
+  for (const Reference& reference : all) {
+    std::ofstream(folder / "s.toml") << reference.toml;
+    const std::string times = " --times " + reference.times;
+    const json tight = samples(folder, "s.toml --method taylor --tolerance 1e-15" + times);
+    ASSERT_EQ(tight.size(), reference.attitudes.size());
+    for (std::size_t i = 0; i < tight.size(); ++i) {
+      EXPECT_LE((matrix_of(tight[i]["X"]) - reference.attitudes[i]).norm(), 1e-12)
+          << reference.name;
+    }
+    EXPECT_EQ(samples(folder, reference.options + times), samples(folder, "s.toml" + times));
+  }
+}
+
+TEST(Interior, OptionsReplaceTheValuesOfTheScene) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "s.toml") << "[body]\nmoments = [3, 4, 5]\n[motion]\nomega = [1, 0.1, 0]\n"
+                                      "wheel = [0, 0, 1]\nenergy_loss_time = 30\n";
+  std::ofstream(folder / "r.toml")
+      << "[body]\nmoments = [3, 4, 5]\n[motion]\nomega = [1, 0.1, 0]\n";
+  const std::string times = " --times 0,5 --step 0.01 --method rk4";
+  EXPECT_EQ(samples(folder, "s.toml --wheel 0,0,0 --energy-loss-time inf" + times),
+            samples(folder, "r.toml" + times));
+}
+
+struct Rows {
+  std::vector<Vector3d> omega;
+  std::vector<double> energy, momentum_error;
+};
+
+Rows rows_of(const json& samples) {
+  Rows rows;
+  for (const json& sample : samples) {
+    rows.omega.push_back(vector_of(sample["omega"]));
+    rows.energy.push_back(sample["energy"]);
+    rows.momentum_error.push_back(sample["momentum_error"]);
+  }
+  return rows;
+}
+
+/// Bodies of the shape of a phone, from a millionth to a million times its size. The wheel and the
+/// energy loss scale with them.
+TEST(Interior, KeepsTheMomentumOfABodyOfAnySize) {
+  const ScratchFolder folder;
+  const Vector3d moments(0.1, 0.4, 0.48), wheel(0.03, -0.02, 0.05);
+  for (const double size : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    const double unit = std::pow(size, 5);
+    const std::string words = fmt::format(
+        "--inertia {} --omega 0.02,1,0.01 --wheel={} --duration 60 --fps 2 --step 0.01 ",
+        list_of(unit * moments), list_of(unit * wheel));
+    for (const std::string method : {"rkmk4", "rkmk45", "taylor", "cf4"}) {
+      const Rows kept = rows_of(samples(folder, words + "--method " + method));
+      const Rows lost =
+          rows_of(samples(folder, words + "--energy-loss-time 25 --method " + method));
+      ASSERT_EQ(kept.energy.size(), 121U);
+      ASSERT_EQ(lost.energy.size(), 121U);
+      for (std::size_t i = 0; i < kept.energy.size(); ++i) {
+        EXPECT_LE(kept.momentum_error[i], 1e-13) << method << " " << size;
+        EXPECT_LE(lost.momentum_error[i], 1e-13) << method << " " << size;
+        EXPECT_NEAR(kept.energy[i] / kept.energy[0], 1, 1e-7) << method << " " << size;
+        if (i == 0) continue;
+        EXPECT_LE(lost.energy[i], lost.energy[i - 1] * (1 + 1e-14)) << method << " " << size;
+      }
+      EXPECT_LT(lost.energy.back(), 0.95 * lost.energy.front()) << method << " " << size;
+    }
+  }
+}
+
+/// Every built-in body that has a single axis of greatest moment ends in a rotation about it, after
+/// the time that follows from the time constant.
+TEST(Interior, LosesEnergyUntilItTurnsAboutTheAxisOfGreatestMoment) {
+  const ScratchFolder folder;
+  for (const std::string scene : {"dzhanibekov", "calm", "stable-y", "tao-disk", "t-handle",
+                                  "wing-nut", "tennis-racket", "phone", "book", "hammer"}) {
+    const json inertia = json::parse(run_twrench(folder, "inertia --format json " + scene).out);
+    const double greatest = inertia["principal_moments"][2];
+    Vector3d axis;
+    for (int i = 0; i < 3; ++i) axis[i] = inertia["principal_axes"][i][2];
+    const Rows rows = rows_of(samples(folder, scene + " --energy-loss-time 20 --times 0,2000"));
+    ASSERT_EQ(rows.omega.size(), 2U) << scene;
+    const Vector3d end = rows.omega[1];
+    EXPECT_GE(std::abs(end.dot(axis)) / end.norm(), 1 - 1e-9) << scene;
+    const double least = greatest * end.squaredNorm() / 2;
+    EXPECT_NEAR(rows.energy[1] / least, 1, 1e-9) << scene;
+    EXPECT_LE(rows.energy[1], rows.energy[0]) << scene;
+  }
+}
+
+TEST(Interior, HasNaturalTimes) {
+  const ScratchFolder folder;
+  const auto last = [&](const std::string& words) {
+    const Outcome run = run_twrench(folder, "simulate --inertia 3,4,5 --omega 0,0,1 " + words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::size_t line = run.out.rfind('\n', run.out.size() - 2) + 1;
+    return std::stod(run.out.substr(line));
+  };
+  EXPECT_EQ(last("--energy-loss-time 50"), 250);                      // five time constants
+  EXPECT_EQ(last("--energy-loss-time 8"), last("--wheel 0,0,1e-9"));  // 16 turns
+}
+
+TEST(Interior, TablesHaveNoDriftOfAnEnergyThatIsLost) {
+  const ScratchFolder folder;
+  const std::string words = "simulate --times 0,1 ";
+  EXPECT_THAT(run_twrench(folder, words + "--wheel 9,0,0").out, HasSubstr(",energy_drift,"));
+  for (const std::string format : {"csv", "json"}) {
+    const Outcome run = run_twrench(folder, words + "--energy-loss-time 9 --format " + format);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("momentum_error"));
+    EXPECT_THAT(run.out, Not(HasSubstr("energy_drift")));
+  }
+}
+
+TEST(Interior, ExactIsRefusedAndNamesTaylor) {
+  const ScratchFolder folder;
+  for (const std::string words : {"--wheel 1,0,0", "--energy-loss-time 9"}) {
+    const Outcome run = run_twrench(folder, "simulate --method exact " + words);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("method exact: there is no closed form"));
+    EXPECT_THAT(run.err, HasSubstr("use the method taylor"));
+  }
+  // A symmetric body whose wheel turns along its axis has a closed form.
+  EXPECT_EQ(run_twrench(folder, "simulate --inertia 2,2,3 --wheel 0,0,1 --method exact").code, 0);
+}
+
+TEST(Interior, InertiaPrintsNothingThatAppliesOnlyToARigidBody) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "s.toml") << "[body]\nmoments = [3, 4, 5]\n[motion]\nwheel = [0, 0, 1]\n";
+  const Outcome text = run_twrench(folder, "inertia s.toml");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("principal axes"));
+  EXPECT_THAT(text.out, Not(HasSubstr("tilt")));
+  EXPECT_THAT(text.out, Not(HasSubstr("rotation about L")));
+  const json document = json::parse(run_twrench(folder, "inertia s.toml --format json").out);
+  EXPECT_FALSE(document.contains("stability"));
+  EXPECT_FALSE(document.contains("phase"));
+}
+
+TEST(Interior, IsPlottedAndExportedWithoutFlips) {
+  const ScratchFolder folder;
+  const std::string words = " dzhanibekov --wheel 1000,0,0";
+  ASSERT_EQ(run_twrench(folder, "plot -o p.svg" + words).code, 0);
+  EXPECT_THAT(text_of(folder / "p.svg"), Not(HasSubstr("flips")));
+  ASSERT_EQ(run_twrench(folder, "export -o a.csv" + words).code, 0);
+  EXPECT_EQ(text_of(folder / "a.csv"), run_twrench(folder, "simulate" + words).out);
+  EXPECT_EQ(run_twrench(folder, "export -o a.json" + words).code, 0);
+}
+
+TEST(Interior, IsRefusedInOneLineByCommandsThatNeedARigidBody) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "wheel.toml")
+      << "[body]\nmoments = [3, 4, 5]\n[motion]\nwheel = [0, 0, 1]\n";
+  std::ofstream(folder / "loss.toml")
+      << "[body]\nmoments = [3, 4, 5]\n[motion]\nenergy_loss_time = 50\n";
+  std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
+                                         "[shot.motion]\nwheel = [0, 0, 1]\n";
+  std::ofstream(folder / "run.csv") << "t,wx,wy,wz\n0,1,0,0\n1,1,0,0\n";
+  std::ofstream(folder / "t.html")
+      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
+  for (const auto& [scene, key] :
+       {std::pair("wheel.toml", "wheel"), std::pair("shot.toml", "wheel"),
+        std::pair("loss.toml", "energy_loss_time")}) {
+    for (const auto& [command, what] :
+         {std::pair("page --template t.html -o p.html ", "a page"),
+          std::pair("report -o r.md ", "a report"), std::pair("export -o a.glb ", "a glTF model"),
+          std::pair("export -o a.aem ", "an attitude ephemeris"), std::pair("study ", "a study"),
+          std::pair("check run.csv --scene ", "a check")}) {
+      const Outcome run = run_twrench(folder, std::string(command) + scene);
+      EXPECT_EQ(run.code, 2) << command << scene << "\n" << run.err;
+      EXPECT_EQ(run.err,
+                fmt::format("twrench: error: {}: {} needs the closed form of a rigid body's "
+                            "motion\n  use a rigid body; simulate computes the motion of "
+                            "any body\n",
+                            key, what));
+      EXPECT_EQ(run.out, "");
+    }
+  }
+  for (const char* output : {"p.html", "r.md", "a.glb", "a.aem"}) {
+    EXPECT_FALSE(exists(folder / output)) << output;
+  }
+}
+
+TEST(Interior, IsDrawnWithoutWhatOnlyARigidBodyHas) {
+  const ScratchFolder folder;
+  const std::string film =
+      "render dzhanibekov --wheel 100,0,0 --energy-loss-time 40 --size 64x48 --progress none "
+      "--frames 0,30,200 --no-video --frames-dir f ";
+  for (const auto& [options, message] :
+       {std::pair("", "show: sphere can be shown only of a rigid body"),
+        std::pair("--hide sphere --show drift,tilt",
+                  "show: drift,tilt can be shown only of a rigid body"),
+        std::pair("--view momentum", "view: momentum can be shown only of a rigid body"),
+        std::pair("--compare rk4,rkmk4", "compare: methods side by side can be shown only"),
+        std::pair("--compare-omega '1,0,0;0,1,0'", "compare_omega: motions side by side")}) {
+    const Outcome run = run_twrench(folder, film + options);
+    EXPECT_EQ(run.code, 2) << options;
+    EXPECT_THAT(run.err, HasSubstr(message));
+    EXPECT_FALSE(exists(folder / "f")) << options;
+  }
+  std::ofstream(folder / "shots.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
+                                          "[[shot]]\nlength = 1\n[shot.motion]\n"
+                                          "wheel = [0, 0, 1]\n";
+  const Outcome shots = run_twrench(folder, "render shots.toml -o f.mp4");
+  EXPECT_EQ(shots.code, 2);
+  EXPECT_THAT(shots.err, HasSubstr("show: sphere can be shown only of a rigid body"));
+
+  ASSERT_EQ(run_twrench(folder, film + "--hide sphere").code, 0);
+  const json manifest = json::parse(text_of(folder / "f/manifest.json"));
+  std::string times;
+  for (const json& frame : manifest["frames"]) {
+    times += (times.empty() ? "" : ",") + frame["t"].dump();
+    EXPECT_EQ(frame["flips"], 0);
+  }
+  const json expected =
+      samples(folder, "dzhanibekov --wheel 100,0,0 --energy-loss-time 40 --times " + times);
+  ASSERT_EQ(expected.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_LE((matrix_of(manifest["frames"][i]["X"]) - matrix_of(expected[i]["X"])).norm(), 1e-12);
+  }
+  EXPECT_EQ(manifest["scene"]["motion"]["energy_loss_time"], 40);
+}
+
+TEST(Interior, NamesTheOptionOrThePlaceOfAWrongValue) {
+  const ScratchFolder folder;
+  for (const auto& [value, message] :
+       {std::pair("0", "is 0, but must be"), std::pair("-1", "is -1, but must be"),
+        std::pair("nan", "is nan, but must be"), std::pair("-inf", "is -inf, but must be"),
+        std::pair("0.6", "is 0.6 s, but must be above 0.61"), std::pair("x", "is not a number")}) {
+    const Outcome run = run_twrench(folder, std::string("simulate --energy-loss-time=") + value);
+    EXPECT_EQ(run.code, 2) << value;
+    EXPECT_THAT(run.err, HasSubstr("error: --energy-loss-time: ")) << value;
+    EXPECT_THAT(run.err, HasSubstr(message)) << value;
+  }
+  for (const char* value : {"1,2", "nan,0,0", "0,inf,0", "1e300,0,0", "0,0,1e-200"}) {
+    const Outcome run = run_twrench(folder, std::string("simulate --wheel=") + value);
+    EXPECT_EQ(run.code, 2) << value;
+    EXPECT_THAT(run.err, HasSubstr("error: --wheel: ")) << value;
+  }
+  const Outcome ball = run_twrench(folder, "simulate sphere --energy-loss-time 9");
+  EXPECT_EQ(ball.code, 2);
+  EXPECT_THAT(ball.err, HasSubstr("--energy-loss-time: the body has no single axis of greatest"));
+
+  const std::string body = "[body]\nmoments = [3, 4, 5]\n[motion]\nomega = [0, 0, 1]\n";
+  const auto error_of = [&](const std::string& toml, const std::string& options) {
+    std::ofstream(folder / "s.toml") << toml;
+    const Outcome run = run_twrench(folder, "simulate s.toml " + options);
+    EXPECT_EQ(run.code, 2) << toml;
+    return run.err;
+  };
+  EXPECT_THAT(error_of(body + "\nenergy_loss_time = 0.01\n", ""),
+              HasSubstr("s.toml:6: motion.energy_loss_time: is 0.01 s, but must be above"));
+  EXPECT_THAT(error_of(body + "wheel = [1, 2]\n", ""), HasSubstr("s.toml:5: motion.wheel: "));
+  // The omega of the command line makes the time of the file too short.
+  EXPECT_THAT(error_of(body + "energy_loss_time = 50\n", "--omega 0,0,1e-5"),
+              HasSubstr("error: s: energy_loss_time: is 50 s, but must be above"));
+  EXPECT_THAT(error_of(body + "energy_loss_time = 50\n[[shot]]\nlength = 1\n[shot.motion]\n"
+                              "omega = [0, 0, 1e-5]\n",
+                       ""),
+              HasSubstr("s.toml:6: shot[0].motion.energy_loss_time: is 50 s, but must be above"));
+}
+
+}  // namespace
+}  // namespace twrench

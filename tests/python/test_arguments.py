@@ -1,0 +1,225 @@
+"""Accepted arguments, and the errors for others."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+import typing
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import twrench
+from twrench import Box, Scene, _native, names
+
+BODY = twrench.Body(moments=[1, 2, 3])
+
+
+def test_the_names_are_those_of_the_program():
+    for name, values in _native.names().items():
+        assert list(typing.get_args(getattr(names, name))) == values, name
+    assert list(typing.get_args(names.ContainerName)) == _native.container_names()
+
+
+@pytest.mark.parametrize("call", [twrench.exact(BODY, [1, 0, 0]).at,
+                                  lambda times: twrench.simulate(BODY, [1, 0, 0], times)])  # fmt: skip
+def test_a_tuple_of_two_times_is_refused_with_both_spellings(call):
+    with pytest.raises(twrench.UsageError) as raised:
+        call((0, 10))
+    assert "np.linspace(0, 10, n)" in str(raised.value)
+    assert "span=(0, 10), fps=60" in str(raised.value)
+    assert len(call([0, 10])) == 2 and len(call((0, 5, 10))) == 3
+
+
+def test_a_span():
+    exact = twrench.exact(BODY, [0.1, 1, 0.2])
+    np.testing.assert_array_equal(exact.at(span=(1, 3), fps=4).t, np.arange(1, 3.25, 0.25))
+    assert twrench.simulate(BODY, [1, 0, 0], span=(0, 10)).t.size == 601
+    assert exact.at(span=[0, 0.35], fps=10).t.tolist() == [0, 0.1, 0.2, 3 / 10, 0.35]
+    assert exact.at(span=(0, 0.7), fps=10).t.size == 8  # 0.7 * 10 is less than 7
+    for scale in (1e-6, 1e6):
+        assert exact.at(span=(0, scale), fps=60 / scale).t.size == 61
+    assert twrench.exact_many([1, 2, 3], [[1, 0, 0]], span=(0, 1), fps=2).X.shape == (1, 3, 3, 3)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({}, "times: must be given, or a span: np.linspace"),
+        ({"times": [0], "span": (0, 1)}, "span: cannot be combined with times"),
+        ({"times": [0], "fps": 3}, "fps: is for span"),
+        ({"span": (1, 0)}, "span: must end after it starts"),
+        ({"span": 3}, "span: must be two times"),
+        ({"span": (0, 1e9), "fps": 1e9}, "span: has more than"),
+        ({"span": (0, 1), "fps": 0}, "fps: must be greater than 0"),
+        ({"times": [0], "attitude": [1, 0]}, "attitude: must be a quaternion"),
+        ({"times": [0], "attitude": [2, 0, 0, 0]}, "attitude: has the length 2"),
+        ({"times": [0], "attitude": np.full((3, 3), np.nan)}, "attitude: must be finite"),
+        ({"times": [0], "attitude": np.diag([1, 1, -1])}, "attitude: "),
+        ({"times": [0], "attitude": "up"}, "attitude: must be a quaternion"),
+    ],
+)
+def test_wrong_times_and_attitudes(arguments, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        twrench.simulate(BODY, [1, 0, 0], **arguments)
+
+
+def test_misspelt_names_are_guessed():
+    with pytest.raises(twrench.UsageError, match="did you mean 'rk4'"):
+        twrench.simulate(BODY, [1, 0, 0], [0], "RK4")
+    with pytest.raises(twrench.UsageError, match="did you mean 'rk4'"):
+        twrench.study(BODY, [1, 0, 0], ["RK4"], duration=1)
+    with pytest.raises(twrench.SceneError, match="did you mean 'studio'"):
+        Scene(theme="Studio")
+    with pytest.raises(twrench.SceneError, match="did you mean 'size'"):
+        Scene(sise=(640, 360))
+
+
+def test_a_solid_is_refused_where_it_is_made_by_its_name():
+    for make, message in (
+        (lambda: Box(size="hello", density=1), "^Box: size: must be three numbers, not 'hello'"),
+        (lambda: Box(size=[1, 2, -3], density=1, name="leg"), "^Box 'leg': .*size"),
+        (lambda: twrench.Sphere(radius=-1, density=1), "^Sphere: radius: must be greater"),
+        (lambda: Box(size=[1, 2, 3], density=-1), "^Box: density: must be greater than 0"),
+        (lambda: Box(size=[1, 2, 3]), "^Box: density: give exactly one of density and mass"),
+        (lambda: Box(size=[1, 2, 3], density=1, material="bras"), "^Box: .*did you mean 'brass'"),
+        (lambda: twrench.Torus(radius=1, tube_radius=2, density=1), "^Torus: .*tube_radius"),
+    ):
+        with pytest.raises(twrench.UsageError, match=message):
+            make()
+    with pytest.raises(twrench.UsageError, match="^Mesh: vertices: give either file"):
+        twrench.Body([twrench.Mesh(density=1)])
+    with pytest.raises(TypeError, match="positional"):
+        Box([1, 2, 3], 1)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1, 1e6])
+def test_arrays_may_be_read_only_and_strided(scale):
+    times = np.linspace(0, 5, 41)[::-2]
+    times.flags.writeable = False
+    omega = np.array([[0.1, 9], [1, 9], [0.2, 9]])[:, 0]
+    body = twrench.Body(moments=scale**5 * np.array([3.0, 2, 1])[::-1])
+    motion = twrench.simulate(body, omega, times)
+    again = twrench.simulate(body, omega.tolist(), times.tolist())
+    np.testing.assert_array_equal(motion.X, again.X)
+    attitude = np.asfortranarray(motion.X[3])
+    attitude.flags.writeable = False
+    turned = twrench.simulate(body, omega, times, attitude=attitude)
+    np.testing.assert_allclose(turned.X, attitude @ motion.X, atol=1e-13)
+
+
+def test_a_tilted_motion_is_the_attitude_times_the_motion_from_the_identity(tmp_path):
+    Rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    turn = Rotation.from_euler("zyx", [0.3, -0.7, 1.1])
+    x, y, z, w = turn.as_quat()
+    times, omega = np.linspace(0, 20, 81), [0.1, 1, 0.2]
+    for method in ("exact", "rk4", "rkmk45", "euler", "taylor"):
+        plain = twrench.simulate(BODY, omega, times, method)
+        for attitude in (turn, turn.as_matrix(), [w, x, y, z], -np.array([w, x, y, z])):
+            tilted = twrench.simulate(BODY, omega, times, method, attitude=attitude)
+            np.testing.assert_allclose(tilted.X, turn.as_matrix() @ plain.X, atol=1e-8)
+            np.testing.assert_allclose(tilted.omega, plain.omega, atol=1e-8)
+            np.testing.assert_allclose(tilted.momentum, turn.as_matrix() @ plain.momentum)
+            assert np.abs(tilted.momentum_error).max() < max(
+                1e-12, 2 * np.abs(plain.momentum_error).max()
+            )
+
+
+def test_a_scene_with_an_attitude(program, tmp_path):
+    attitude = (0.5, 0.5, -0.5, 0.5)
+    scene = Scene("stable-y", attitude=attitude, size=(160, 90), duration=5, fps=6, speed=1)
+    assert scene.attitude == attitude and Scene().attitude is None
+    assert scene.to_dict()["motion"]["attitude"] == list(attitude)
+    X = twrench.exact(scene.body, scene.omega, attitude=attitude).at([0]).X[0]
+    np.testing.assert_allclose(X, [[0, -1, 0], [0, 0, -1], [1, 0, 0]], atol=1e-15)
+    np.testing.assert_allclose(scene.simulate().X[0], X, atol=1e-15)
+    options = ["stable-y", "--attitude", "0.5,0.5,-0.5,0.5", "--duration", 5, "--fps", 6]
+    scene.export(tmp_path / "a.csv")
+    assert (tmp_path / "a.csv").read_text() == program("simulate", *options)
+    assert (scene.frame(0) != Scene("stable-y", size=(160, 90)).frame(0)).any()
+    (tmp_path / "template.html").write_text("{{title}}")
+    with pytest.raises(twrench.UsageError, match="attitude: a page begins with X"):
+        scene.page(tmp_path / "a.html", template=tmp_path / "template.html")
+    assert scene._repr_html_() is None
+    again = Scene.from_toml(
+        "[body]\nmoments = [1, 2, 3]\n[motion]\nattitude = [0.5, 0.5, -0.5, 0.5]\n"
+    )
+    assert again.attitude == attitude
+    again.attitude = None
+    assert again.attitude is None and "attitude" not in again.to_dict()["motion"]
+    with pytest.raises(twrench.SceneError, match="attitude: has the length 0"):
+        scene.attitude = (0, 0, 0, 0)
+    with pytest.raises(twrench.SceneError, match="attitude: must be a quaternion"):
+        scene.attitude = (1, 0)
+
+
+def test_rotations_angles_and_files(tmp_path):
+    pytest.importorskip("scipy")
+    motion = twrench.simulate(BODY, [0.1, 1, 0.2], np.linspace(0, 5, 11))
+    np.testing.assert_allclose(motion.rotation.as_matrix(), motion.X, atol=1e-14)
+    yaw, pitch, roll = motion.euler("ZYX").T
+    np.testing.assert_allclose(-np.sin(pitch), motion.X[:, 2, 0], atol=1e-14)
+    np.testing.assert_allclose(np.tan(roll), motion.X[:, 2, 1] / motion.X[:, 2, 2], atol=1e-10)
+    np.testing.assert_allclose(np.rad2deg(yaw), motion.euler("ZYX", degrees=True)[:, 0])
+    with pytest.raises(twrench.UsageError, match="sequence: must be three axes"):
+        motion.euler("abc")
+    saved = np.load(motion.save(tmp_path / "a.npz"))
+    for name in ("t", "X", "omega", "energy", "momentum_error"):
+        np.testing.assert_array_equal(saved[name], getattr(motion, name))
+    table = np.genfromtxt(motion.save(str(tmp_path / "a.csv")), delimiter=",", names=True)
+    np.testing.assert_array_equal(table["x32"], motion.X[:, 2, 1])
+    np.testing.assert_array_equal(table["wz"], motion.omega[:, 2])
+    with pytest.raises(twrench.UsageError, match="path: must end in .csv or .npz"):
+        motion.save("a.txt")
+    for name in ("a.csv", "a.npz"):
+        with pytest.raises(twrench.FileError):
+            motion.save(tmp_path / "none" / name)
+
+
+def test_the_exact_motion_says_what_it_is():
+    assert repr(twrench.exact(BODY, [0.1, 1, 0.2])).startswith("<twrench.ExactMotion: about_")
+    assert "flips every" in repr(twrench.exact(twrench.Scene().body, [1, 0.05, 0]))
+    assert repr(twrench.exact(BODY, [1, 0, 0])) == "<twrench.ExactMotion: steady, without flips>"
+    sphere = twrench.Body(moments=[1, 1, 1])
+    assert "without flips" in repr(twrench.exact(sphere, [1, 2, 3]))
+
+
+def test_threads_call_at_once(tmp_path):
+    motion = twrench.simulate(BODY, [0.1, 1, 0.2], np.linspace(0, 5, 50))
+    scene = Scene("stable-y")
+
+    def work(i: int) -> bool:
+        scene.export(tmp_path / f"{i}.aem")
+        return twrench.check(motion, BODY).finding == "exact" and bool(
+            motion.save(tmp_path / f"{i}.csv")
+        )
+
+    with ThreadPoolExecutor(4) as pool:
+        assert all(pool.map(work, range(12)))
+    assert len({(tmp_path / f"{i}.aem").read_bytes() for i in range(12)}) == 1
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "twrench.Scene(method='rk4', step=2.5e-6, fps=1000).export(folder + '/a.csv')",
+        "twrench.Scene(method='rk4', step=2.5e-6).plot(folder + '/a.svg')",
+        "twrench.Scene(duration=6e4).report(folder + '/a.md')",
+    ],
+)
+def test_ctrl_c_ends_a_long_call_and_leaves_nothing(tmp_path, call):
+    code = (
+        "import sys, twrench\nfolder = sys.argv[1]\nprint('begins', flush=True)\n"
+        f"try:\n    {call}\nexcept KeyboardInterrupt:\n    print('ended')\n"
+    )
+    child = subprocess.Popen(
+        [sys.executable, "-c", code, str(tmp_path)], stdout=subprocess.PIPE, text=True
+    )
+    assert child.stdout is not None and child.stdout.readline() == "begins\n"
+    time.sleep(0.5)
+    child.send_signal(signal.SIGINT)
+    assert child.communicate(timeout=60)[0] == "ended\n"
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,73 @@
+"""Scenes and films in notebooks."""
+
+from __future__ import annotations
+
+import html
+import re
+import sys
+import types
+
+import twrench
+from twrench import Scene
+
+
+def test_a_scene_shows_its_page_in_a_sandboxed_frame(small, monkeypatch):
+    page = "<html><p>\"Turn\" & <b>scrub</b></p></html>"
+    monkeypatch.setattr(Scene, "_page", lambda scene, template: types.SimpleNamespace(html=page))
+    shown = small._repr_html_()
+    assert re.match(r'<iframe sandbox="allow-scripts" ', shown)
+    assert html.unescape(re.search('srcdoc="([^"]*)"', shown)[1]) == page
+    assert "allow-same-origin" not in shown
+    page = "x" * 500_001
+    assert small._repr_html_() is None
+
+
+def test_the_page_of_a_notebook_is_offline_and_small(small):
+    shown = small._repr_html_()
+    if shown is None:  # this build has no page
+        return
+    assert len(shown) < 500_000
+    assert "default-src 'none'" in html.unescape(shown)
+
+
+def test_a_scene_that_a_page_cannot_show_is_a_picture(small):
+    small.attitude = (0.5, 0.5, 0.5, 0.5)
+    assert small._repr_html_() is None
+    assert small._repr_png_().startswith(b"\x89PNG")
+
+
+def test_a_picture_of_a_time(small):
+    picture = small.picture(7.1)
+    assert isinstance(picture, twrench.Picture)
+    assert picture.png == picture._repr_png_() == small.png(7)
+
+
+class Bar:
+    """A substitute for the bar of tqdm that records its updates."""
+
+    last: Bar
+
+    def __init__(self, unit: str) -> None:
+        self.total, self.n, self.is_closed, self.unit = 0, 0, False, unit
+        Bar.last = self
+
+    def update(self, more: int) -> None:
+        self.n += more
+
+    def __enter__(self) -> Bar:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.is_closed = True
+
+
+def test_a_render_shows_a_bar_of_tqdm(small, monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "tqdm", types.ModuleType("tqdm"))
+    monkeypatch.setitem(sys.modules, "tqdm.auto", types.SimpleNamespace(tqdm=Bar))
+    small.render(frames_dir=tmp_path / "a", frames="0-3")
+    bar = Bar.last
+    assert (bar.total, bar.n, bar.is_closed, bar.unit) == (4, 4, True, "frame")
+    small.render(frames_dir=tmp_path / "b", frames="0-3", progress=False)
+    assert Bar.last is bar
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    small.render(frames_dir=tmp_path / "c", frames="0-3")

@@ -1,0 +1,250 @@
+"""The module offers each command of the program, with the same results."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import sys
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+import pytest
+
+import twrench
+from twrench import Scene
+
+#: The counterpart of each command in the module.
+COUNTERPARTS: dict[str, Callable[..., Any] | type] = {
+    "render": Scene.render,
+    "simulate": Scene.simulate,
+    "export": Scene.export,
+    "page": Scene.page,
+    "report": Scene.report,
+    "plot": Scene.plot,
+    "inertia": twrench.Body,
+    "study": twrench.study,
+    "encode": twrench.encode,
+    "compare": twrench.compare,
+    "check": twrench.check,
+    "methods": twrench.methods,
+    "scenes": twrench.scenes,
+    "cases": twrench.cases,
+    "schema": twrench.schema,
+}
+#: Commands about the program and its machine, which have no counterpart.
+OF_THE_PROGRAM = {"doctor", "help"}
+
+
+def test_every_command_has_a_counterpart(program):
+    listed = program("--help").split("Commands:")[1].split("Exit codes:")[0]
+    commands = set(re.findall(r"^  ([a-z]+)", listed, re.MULTILINE))
+    assert "render" in commands
+    assert commands == set(COUNTERPARTS) | OF_THE_PROGRAM
+
+
+def test_the_schema_is_that_of_the_program(program):
+    assert twrench.schema() == json.loads(program("schema"))
+
+
+@pytest.mark.parametrize("name", twrench.scenes())
+def test_samples_are_those_of_the_program(program, tmp_path, name):
+    scene, options = Scene(name, method="rkmk4", fps=10), [name, "--method", "rkmk4", "--fps", 10]
+    if name not in ("explain", "explain-nb", "explorer-1"):  # their shots have their own durations
+        scene.duration = 5
+        options += ["--duration", 5]
+    assert scene.export(tmp_path / "a.csv") == tmp_path / "a.csv"
+    assert (tmp_path / "a.csv").read_text() == program("simulate", *options)
+    scene.export(tmp_path / "out", format="json")
+    assert (tmp_path / "out").read_text() == program("simulate", *options, "--format", "json")
+
+
+def test_an_animation_and_an_ephemeris_are_those_of_the_program(program, tmp_path):
+    for ending in ("glb", "aem"):
+        mine, theirs = tmp_path / f"mine.{ending}", tmp_path / f"theirs.{ending}"
+        Scene("stable-y").export(mine, max_angle=1e-3, epoch="2026-02-03T04:05:06")
+        options = ["--max-angle", 1e-3, "--epoch", "2026-02-03T04:05:06"]
+        program("export", "stable-y", "-o", theirs, *options)
+        assert mine.read_bytes() == theirs.read_bytes()
+
+
+def test_a_page_is_that_of_the_program(program, tmp_path, template):
+    mine, theirs = tmp_path / "mine.html", tmp_path / "theirs.html"
+    Scene("stable-y", omega=(0, 2, 0.5)).page(mine, template=template)
+    program("page", "stable-y", "--omega", "0,2,0.5", "--template", template, "-o", theirs)
+    assert mine.read_bytes() == theirs.read_bytes()
+
+
+@pytest.mark.parametrize("ending", ["html", "md"])
+def test_a_report_is_that_of_the_program(program, tmp_path, monkeypatch, ending):
+    monkeypatch.chdir(tmp_path)
+    file = f"report.{ending}"
+    scene = Scene("stable-y", omega=(0, 2, 0.5), duration=6, method="cf4")
+    scene.report(file, author="A. Student", date="today", static=True)
+    mine = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    for name in mine:
+        (tmp_path / name).unlink()
+    options = ["--omega", "0,2,0.5", "--method", "cf4", "--duration", 6]
+    named = ["--author", "A. Student", "--date", "today"]
+    program("report", "stable-y", *options, *named, "--static", "-o", file)
+    theirs = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert mine.keys() == theirs.keys() and len(mine) >= (1 if ending == "html" else 2)
+
+    def without_times(content: bytes) -> str:
+        """The report without the processor times, which vary: the last cells of rows, and their plot."""
+        text = content.decode()
+        text = re.sub(r"<svg.*?</svg>", lambda svg: "" if "CPU" in svg[0] else svg[0], text, flags=re.S)
+        return re.sub(r"(<td>[^<]*</td></tr>|\| [^|]* \|)$", "", text, flags=re.MULTILINE)
+
+    assert b"CPU" in mine[file] and len(without_times(mine[file])) > 0.3 * len(mine[file])
+    for name, content in mine.items():
+        assert without_times(content) == without_times(theirs[name])
+    assert b"twrench report stable-y --omega 0,2,0.5" in mine[file]
+
+
+def test_a_plot_is_that_of_the_program(program, tmp_path):
+    scene = Scene("stable-y")
+    for overlay in ([], ["--overlay"]):
+        mine, theirs = tmp_path / "mine.svg", tmp_path / "theirs.svg"
+        scene.plot(mine, overlay=bool(overlay))
+        program("plot", "stable-y", *overlay, "-o", theirs)
+        assert mine.read_bytes() == theirs.read_bytes()
+
+
+def test_a_plot_is_a_figure_or_else_the_text_of_a_drawing(monkeypatch):
+    figure_module = pytest.importorskip("matplotlib.figure")
+    scene = Scene("stable-y")
+    figure = scene.plot()
+    assert isinstance(figure, figure_module.Figure)
+    assert len(figure.axes) == 9 and len(scene.plot(overlay=True).axes) == 3
+    (line, *flips) = figure.axes[4].lines
+    exact = twrench.exact(scene.body, scene.omega).at(line.get_xdata())
+    assert np.abs(line.get_ydata() - exact.X[:, 1, 1]).max() < 1e-6
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    assert scene.plot().startswith("<?xml") and "<svg" in scene.plot()
+
+
+def test_a_check_is_that_of_the_program(program, tmp_path):
+    body = twrench.Body(moments=[2, 3, 4])
+    motion = twrench.simulate(body, [0.1, 1, 0.2], np.linspace(0, 20, 201), "rk4", step=0.02)
+    file = motion.save(tmp_path / "run.csv")
+    options = [file, "--inertia", "2,3,4", "--no-fail", "--format", "json"]
+    found = twrench.check(file, body)
+    assert found.details == json.loads(program("check", *options))
+    assert not found.passes and found.finding == "integration" and found.rows == 201
+    assert found.rates is not None and found.rates.max_error > 1e-6 and found.rates.unit == "rad/s"
+    bound = twrench.check(file, body, max_rate_error=1)
+    assert bound.passes
+    assert bound.details == json.loads(program("check", *options, "--max-rate-error", 1))
+
+
+def test_arrays_are_checked_without_loss():
+    for scale in (1e-6, 1, 1e6):  # the size of the body
+        body = twrench.Body(moments=scale**5 * np.array([2, 3, 4]))
+        motion = twrench.exact(body, [0.1, 1, 0.2]).at(np.linspace(0, 20, 50))
+        assert twrench.check(motion, body).finding == "exact"
+        wx, wy, wz = np.rad2deg(motion.omega.T)
+        columns = {"t": motion.t[::2], "wx": wx[::2], "wy": wy[::2], "wz": wz[::2]}
+        found = twrench.check(columns, body, units="deg")
+        assert found.finding == "exact" and found.attitude is None
+
+
+def test_a_published_case_is_checked():
+    case = twrench.case("basilisk-spacecraft")
+    body = twrench.Body(moments=case["inertia"])
+    motion = twrench.exact(body, case["omega"]).at(np.linspace(0, 10, 20))
+    assert twrench.check(motion, case="basilisk-spacecraft").passes
+    with pytest.raises(twrench.UsageError, match="case: gives the body"):
+        twrench.check(motion, body, case="basilisk-spacecraft")
+
+
+@pytest.mark.parametrize(
+    ("data", "arguments", "message"),
+    [
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]}, {"units": "hz"}, "^units: unknown"),
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]}, {"rates": "world"}, "^rates: unk"),
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]}, {"frame": "last"}, "^frame: unk"),
+        ({"t": [0, 1], "wx": [1]}, {}, "data: must have columns of the same length"),
+        ({"t": [0, 1], "wx": [1, math.nan]}, {}, r"data\['wx'\]: must be finite"),
+        ({"t": [0, 1], "wx": "ab"}, {}, r"data\['wx'\]: must be a one-dimensional array"),
+        ({"t": [0, 1, 2, 3], "wx": 4 * [1], "wy": 4 * [0], "wz": 4 * [0]},
+         {"max_attitude_error": 1}, "^max_attitude_error: data has no attitude"),
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]}, {}, "^data: has 2 rows, too few"),
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]},
+         {"max_rate_error": -1}, "^max_rate_error"),
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]}, {"offset": [1, 2]}, "^offset"),
+        ({"t": [0, 1], "wx": [1, 1], "wy": [0, 0], "wz": [0, 0]}, {"omega": [1]}, "^omega"),
+    ],
+)  # fmt: skip
+def test_wrong_checks(data, arguments, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        twrench.check(data, twrench.Body(moments=[2, 3, 4]), **arguments)
+
+
+def test_files_that_cannot_be_checked(tmp_path):
+    body = twrench.Body(moments=[2, 3, 4])
+    with pytest.raises(twrench.FileError, match="none.csv"):
+        twrench.check(tmp_path / "none.csv", body)
+    with pytest.raises(twrench.UsageError, match="body: must be a twrench.Body"):
+        twrench.check(tmp_path / "none.csv")
+
+
+def test_a_comparison_is_that_of_the_program(small, tmp_path):
+    a, b = tmp_path / "a.png", tmp_path / "b.png"
+    a.write_bytes(small.png(3))
+    b.write_bytes(small.png(4))
+    assert twrench.compare(a, a)
+    found = twrench.compare(a, b, diff=tmp_path / "d.png", report=tmp_path / "r.html")
+    (frame,) = found.frames
+    assert not found and frame.outcome == "different"
+    difference = np.abs(small.frame(3).astype(int) - small.frame(4))
+    assert frame.max_difference == difference.max()
+    assert frame.mean_difference == pytest.approx(difference.mean())
+    assert frame.share == pytest.approx((difference.max(axis=2) > 0).mean())
+    assert (tmp_path / "d.png").read_bytes().startswith(b"\x89PNG")
+    assert "<html" in (tmp_path / "r.html").read_text()
+    assert twrench.compare(a, b, share=1)
+    assert twrench.compare(a, b, metric="ssim", min_ssim=-1).frames[0].ssim is not None
+    twrench.compare(a, b, update=True)
+    assert a.read_bytes() == b.read_bytes()
+    for arguments, message in (
+        ({"metric": "psnr"}, "^metric: unknown name 'psnr'"),
+        ({"ignore": [(0, 0, 1)]}, "^ignore: must be rectangles"),
+        ({"ignore": [(0, 0, 1000, 1)]}, "rectangle|ignore|within"),
+        ({"share": 2}, "^share: must be from 0 to 1"),
+    ):
+        with pytest.raises(twrench.UsageError, match=message):
+            twrench.compare(a, b, **arguments)
+    with pytest.raises(twrench.UsageError, match="a folder"):
+        twrench.compare(tmp_path, b)
+    with pytest.raises(twrench.FileError, match="none.png"):
+        twrench.compare(tmp_path / "none.png", b)
+
+
+def test_frames_are_encoded_as_by_the_program(small, program, tmp_path):
+    small.render(frames_dir=tmp_path / "frames")
+    film = twrench.encode(tmp_path / "frames", tmp_path / "mine.mp4")
+    assert film.frame_count == 24 and film.path == tmp_path / "mine.mp4"
+    program("encode", tmp_path / "frames", "-o", tmp_path / "theirs.mp4")
+    assert film.path.read_bytes() == (tmp_path / "theirs.mp4").read_bytes()
+    with pytest.raises(twrench.UsageError, match="^width"):
+        twrench.encode(tmp_path / "frames", tmp_path / "b.mp4", width=64)
+    with pytest.raises(twrench.FileError):
+        twrench.encode(tmp_path / "none", tmp_path / "b.mp4")
+
+
+def test_outputs_do_not_replace_inputs(tmp_path, template):
+    file = tmp_path / "mine.toml"
+    file.write_text("[body]\nmoments = [1, 2, 3]\n")
+    scene = Scene(file)
+    for write in (scene.page, scene.report, scene.export, scene.plot):
+        with pytest.raises(twrench.FileError, match="mine.toml"):
+            write(file)
+    with pytest.raises(twrench.UsageError, match=r"must end in \.glb"):
+        scene.export(tmp_path / "a.xyz")
+    with pytest.raises(twrench.UsageError, match="must end in .html or .md"):
+        scene.report(tmp_path / "a.pdf")
+    with pytest.raises(twrench.FileError, match="No such file"):
+        scene.export(tmp_path / "none" / "a.csv")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.toml", "template.html"]
