@@ -24,7 +24,39 @@ autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
 # Unions have the names that the sources give them; written out they fill half a page.
 autodoc_type_aliases = {
-    name: name for name in ("Array", "ArrayLike", "Part", "PathLike", "Progress", "StrPath", "Vector")
+    name: name
+    for name in (
+        "AngleUnit",
+        "Array",
+        "ArrayLike",
+        "Attitude",
+        "BackendName",
+        "ContainerName",
+        "FeatureName",
+        "FrameSource",
+        "FrameName",
+        "MaterialName",
+        "Metric",
+        "MethodName",
+        "Numbers",
+        "Part",
+        "Path",
+        "PathLike",
+        "Progress",
+        "RateAxes",
+        "RateUnit",
+        "Recording",
+        "Rotation",
+        "Rows",
+        "ShapeName",
+        "StrPath",
+        "ThemeName",
+        "TimeUnit",
+        "UnitName",
+        "Vector",
+        "ViewName",
+        "twrench.names.HasMatrix",
+    )
 }
 # A private protocol, which only a scene fulfils.
 autodoc_type_aliases["HasBody"] = "twrench.Scene"
