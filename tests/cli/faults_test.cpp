@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "cli/held_run.h"
 #include "cli/twrench.h"
 #include "system/file.h"
 #include "system/sha256.h"
@@ -27,13 +28,9 @@ const std::string bare_film = "render --size 160x90 --fps 10 --speed 6 --duratio
 const std::string fault_film = bare_film + "--progress none --frames-dir f ";
 const std::string fault_frames = fault_film + "--no-video ";
 
-/// A long run, of 5 frames per 3 s of motion, for a fault that a shell causes midway. `nice` gives
-/// the shell precedence, so that the fault comes before the last frame even on a busy machine. The
-/// run ends with the fault.
-std::string long_run(int duration) {
-  return "nice -n 19 \"$TWRENCH\" render --size 160x90 --fps 10 --speed 6 --duration " +
-         std::to_string(duration) + " --progress none --no-video --frames-dir f";
-}
+/// For a fault that a shell causes midway.
+const std::string held_film = "--size 160x90 --fps 10 --speed 6 --duration 120 --no-video "
+                              "--frames-dir f";
 
 /// Checks the message of a failure, and the frames that remain.
 void expect_told(const Outcome& run, int code, const std::string& message) {
@@ -100,13 +97,12 @@ TEST(Faults, ADiskThatFillsUpMidway) {
   const ScratchFolder folder;
   const Outcome run = run_on_small_disk(
       folder, "30m",
-      "cd d && { until [ -e f/frame_000020.png ]; do sleep 0.01; done; cat /dev/zero >big; } "
-      "2>/dev/null & cd d && " +
-          long_run(600) + "; code=$?; wait; rm -f big; cd ..; (exit $code)");
+      "cd d && " + start_held(held_film, "f") + "cat /dev/zero >big 2>/dev/null; " +
+          release_held + "; code=$?; rm big; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "No space left on device");
   count_whole_frames(folder / "after/f");
-  EXPECT_TRUE(fs::exists(folder / "after/f/frame_000020.png"));
+  EXPECT_TRUE(fs::exists(folder / "after/f/frame_000000.png"));
   EXPECT_EQ(count_temporaries(folder / "after/f"), 0U);
 }
 
@@ -164,8 +160,7 @@ TEST(Faults, AManifestThatCannotBeWritten) {
 TEST(Faults, TheFolderIsRemovedMidway) {
   const ScratchFolder folder;
   const Outcome run =
-      run_shell(folder, "{ until [ -e f/frame_000010.png ]; do sleep 0.01; done; mv f g; } & " +
-                            long_run(3000));
+      run_shell(folder, start_held(held_film, "f") + "mv f g; " + release_held);
   expect_told(run, 5, "No such file or directory");
   EXPECT_EQ(count_temporaries(folder / "g"), 0U);
 }
@@ -174,11 +169,10 @@ TEST(Faults, TheFolderBecomesReadOnlyMidway) {
   const ScratchFolder folder;
   const Outcome run =
       run_on_small_disk(folder, "400m",
-                        "cd d && { until [ -e f/frame_000010.png ]; do sleep 0.01; "
-                        "done; until mount -o remount,bind,ro \"$PWD\" 2>/dev/null || "
-                        "[ -e f/frame_004900.png ]; do sleep 0.01; done; } & "
-                        "cd d && " +
-                            long_run(3000) + "; code=$?; wait; cd ..; (exit $code)");
+                        "cd d && " + start_held(held_film, "f") +
+                            "until mount -o remount,bind,ro \"$PWD\" 2>/dev/null; do sleep 0.01; "
+                            "done; " +
+                            release_held + "; code=$?; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "Read-only file system");
   count_whole_frames(folder / "after/f");
@@ -236,9 +230,7 @@ TEST(Faults, AnOpenGlWithoutACoreProfile) {
 TEST(Faults, ACrashIsOneMessage) {
   const ScratchFolder folder;
   const Outcome run =
-      run_shell(folder, long_run(3000) +
-                            " & until [ -e f/frame_000010.png ]; do sleep 0.01; done; "
-                            "kill -SEGV $!; wait $!");
+      run_shell(folder, start_held(held_film, "f") + "kill -SEGV $pid; wait $pid");
   expect_told(run, 70, "internal: it crashed");
 }
 #endif

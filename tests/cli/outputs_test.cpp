@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "cli/held_run.h"
 #include "cli/twrench.h"
 #include "run_command.h"
 
@@ -135,37 +136,31 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 
-/// Prefix of a run that a shell stops midway, so that the shell gets the processor before the run
-/// ends even on a busy machine.
-const std::string at_low_priority = "nice -n 19 ";
-
 TEST(Outputs, AreOneRunsAtATime) {
   const ScratchFolder folder;
-  const std::string long_film = "render --size 160x90 --progress none ";
-  const Outcome run = run_shell(
-      folder,
-      at_low_priority + "\"$TWRENCH\" " + long_film +
-          "-o v.mp4 --frames-dir f & pid=$!; until [ -e f/frame_000001.png ]; do sleep "
-          "0.01; done; kill -STOP $pid; \"$TWRENCH\" " +
-          long_film + "--no-frames -o v.mp4; echo film $?; \"$TWRENCH\" " + long_film +
-          "--no-video --frames-dir f; echo frames $?; \"$TWRENCH\" " + long_film +
-          "--frames-dir f --shard 1/2; echo shard $?; kill -KILL $pid; wait $pid; \"$TWRENCH\" " +
-          long_film + "--frames 0-4 --frames-dir f -o v.mp4; echo after $?");
-  EXPECT_THAT(run.out, HasSubstr("film 5\nframes 5\nshard 5\nafter 0\n")) << run.err;
+  const std::string film = "--size 160x90 ";
+  const std::string same = "\"$TWRENCH\" render --progress none " + film;
+  const Outcome run =
+      run_shell(folder, start_held(film + "-o v.mp4 --frames-dir f", "f") + same +
+                            "--no-frames -o v.mp4; echo film $?; " + same +
+                            "--no-video --frames-dir f; echo frames $?; " + same +
+                            "--frames-dir f --shard 1/2; echo shard $?; kill -KILL $pid; wait "
+                            "$pid; " +
+                            same + "--frames 0-4 --frames-dir f -o v.mp4; echo after $?");
+  EXPECT_EQ(run.out, "film 5\nframes 5\nshard 5\nafter 0\n") << run.err;
   EXPECT_THAT(run.err, HasSubstr("another run is writing"));
 }
 
 TEST(Outputs, AShardIsOneRunsAtATime) {
   const ScratchFolder folder;
-  const std::string shards = "\"$TWRENCH\" render --size 160x90 --progress none --frames-dir f ";
-  const Outcome run = run_shell(
-      folder, at_low_priority + shards +
-                  "--shard 1/9 & pid=$!; until [ -e f/frame_000001.png ]; do sleep 0.01; done; "
-                  "kill -STOP $pid; " +
-                  shards + "--shard 1/9; echo same $?; " + shards +
-                  "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " + shards +
-                  "--shard 1/9 --resume; echo after $?");
-  EXPECT_THAT(run.out, HasSubstr("same 5\nother 0\nafter 0\n")) << run.err;
+  const std::string shards = "--size 160x90 --fps 10 --frames-dir f ";
+  const std::string other = "\"$TWRENCH\" render --progress none " + shards;
+  const Outcome run =
+      run_shell(folder, start_held(shards + "--shard 1/9", "f") + other +
+                            "--shard 1/9; echo same $?; " + other +
+                            "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " + other +
+                            "--shard 1/9 --resume; echo after $?");
+  EXPECT_EQ(run.out, "same 5\nother 0\nafter 0\n") << run.err;
   EXPECT_THAT(run.err, HasSubstr("manifest.0001-of-0009.json: another run is writing it"));
 }
 

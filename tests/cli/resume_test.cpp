@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/held_run.h"
 #include "cli/twrench.h"
 #include "run_command.h"
 
@@ -16,11 +17,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-// 240 frames, which take about a second. With `nice`, a shell that waits for one of the frames acts
-// before the last one even on a busy machine.
-const std::string long_command =
-    "render --size 160x90 --fps 15 --speed 6 --duration 96 --progress none --frames-dir f -o "
-    "v.mp4 ";
+const std::string long_film =
+    "--size 160x90 --fps 15 --speed 6 --duration 96 --frames-dir f -o v.mp4 ";  // 240 frames
+const std::string long_command = "render --progress none " + long_film;
 
 /// The digests in the manifest.
 std::map<std::string, std::string> told_digests(const fs::path& folder) {
@@ -56,10 +55,8 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
   const std::pair<const char*, int> signals[] = {{"INT", 130}, {"TERM", 143}};
   for (const auto& [signal, code] : signals) {
     ScratchFolder folder;
-    const Outcome stopped = run_shell(
-        folder, "env --default-signal=INT nice -n 19 \"$TWRENCH\" " + long_command +
-                    "& pid=$!; until [ -e f/frame_000003.png ]; do sleep 0.01; done; kill -" +
-                    signal + " $pid; kill -" + signal + " $pid; wait $pid");
+    const Outcome stopped = run_shell(folder, start_held(long_film, "f") + "kill -" + signal +
+                                                  " $pid; kill -" + signal + " $pid; wait $pid");
     ASSERT_EQ(stopped.code, code) << stopped.err;
     EXPECT_THAT(stopped.err, HasSubstr(std::string("interrupted by SIG") + signal));
     EXPECT_THAT(stopped.err, HasSubstr("--resume"));
