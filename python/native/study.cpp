@@ -69,6 +69,7 @@ void add_study(py::module_& module) {
       .def_readonly("order", &MethodStudy::order);
   using study::Study;
   py::class_<Study>(module, "Study")
+      .def_property_readonly("reference", [](const Study& s) { return s.reference->name; })
       .def_readonly("duration", &Study::duration)
       .def_readonly("early", &Study::early)
       .def_readonly("flip_times", &Study::flip_times)

@@ -224,6 +224,7 @@ class Scene:
     stress = _Value[Optional[tuple[FeatureName, ...]]]()
     compare = _Value[tuple[MethodName, ...]]()
     compare_omega = _Value[Optional[tuple[Vector, ...]]]()
+    compare_wheel = _Value[Optional[tuple[Vector, ...]]]()
     trail_point = _Value[Optional[Vector]]()
     trail_length = _Value[Optional[float]]()
     font = _Value[str]()
@@ -271,6 +272,7 @@ class Scene:
         stress: Collection[FeatureName] = UNSET,
         compare: Sequence[MethodName] = UNSET,
         compare_omega: Rows = UNSET,
+        compare_wheel: Rows = UNSET,
         trail_point: Numbers = UNSET,
         trail_length: float = UNSET,
         font: StrPath = UNSET,

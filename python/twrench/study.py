@@ -74,7 +74,10 @@ class Study:
     duration: float
     #: Time in s at which orders are measured: after about 10 rad of rotation.
     early: float
-    #: Times in s of the flips of the exact motion.
+    #: The method with which the others are compared: ``exact``, or ``taylor`` at its tightest
+    #: tolerance if the motion has no closed form.
+    reference: str
+    #: Times in s of the flips of the reference; none if energy is lost.
     flip_times: Array
     #: Results by the name of the method.
     methods: dict[str, MethodStudy]
@@ -116,8 +119,12 @@ def study(
     duration: float,
     steps: Numbers = (0.08, 0.04, 0.02, 0.01),
     tolerances: Numbers = (1e-4, 1e-6, 1e-8, 1e-10),
+    wheel: Numbers | None = None,
+    energy_loss_time: float | None = None,
 ) -> Study:
     """Runs methods over a ladder of step sizes, or tolerances, and compares them with the exact motion.
+
+    Where there is no closed form, ``taylor`` at its tightest tolerance replaces the exact motion.
 
     :param body: the body.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
@@ -125,12 +132,15 @@ def study(
     :param duration: duration of the motion in s.
     :param steps: step sizes in s of the methods with fixed steps, (n,).
     :param tolerances: error tolerances of the adaptive methods, (m,).
+    :param wheel: angular momentum of a wheel relative to the body, in body axes in g cm^2/s, (3,).
+    :param energy_loss_time: time constant in s with which internal friction damps a small wobble
+        about the axis of greatest moment; None if no energy is lost.
     :raises UsageError: for a wrong argument. If a method fails, its run has a ``failure`` instead.
     """
     if isinstance(methods, str) or not all(isinstance(name, str) for name in methods):
         raise UsageError(f"methods: must be a list of names, not {_arguments.brief(methods)}")
     result = _native.study(
-        _free_body(body, omega),
+        _free_body(body, omega, None, wheel, energy_loss_time),
         list(methods),
         list(_arguments.array("steps", steps, (None,), "a one-dimensional array of steps in s")),
         list(_arguments.array("tolerances", tolerances, (None,), "a one-dimensional array")),
@@ -140,4 +150,6 @@ def study(
         of.method: MethodStudy(of.method, of.order, [_run(of.method, run) for run in of.runs])
         for of in result.methods
     }
-    return Study(result.duration, result.early, np.array(result.flip_times), by_method)
+    return Study(
+        result.duration, result.early, result.reference, np.array(result.flip_times), by_method
+    )

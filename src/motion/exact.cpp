@@ -7,6 +7,8 @@
 
 namespace twrench::motion {
 
+bool ExactMotion::covers(const FreeBody& body) { return ExactSolution::covers(body); }
+
 ExactMotion::ExactMotion(const FreeBody& body)
     : solution_(std::make_shared<const ExactSolution>(body)) {}
 

@@ -118,6 +118,10 @@ std::optional<SymmetryAxis> symmetry_axis(const FreeBody& body) {
 
 }  // namespace
 
+bool ExactSolution::covers(const FreeBody& body) {
+  return body.is_rigid() || symmetry_axis(body).has_value();
+}
+
 ExactSolution::ExactSolution(const FreeBody& body)
     : start_{0, body.attitude(), body.omega()}, orbit_(steady_orbit(body.omega())) {
   body.is_rigid() ? prepare(body) : prepare_with_wheel(body);

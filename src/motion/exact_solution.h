@@ -16,6 +16,8 @@ namespace twrench::motion {
 /// that link the library, so it can change.
 class ExactSolution {
  public:
+  static bool covers(const FreeBody& body);
+
   explicit ExactSolution(const FreeBody& body);
 
   Sample at(double t) const;

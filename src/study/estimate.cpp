@@ -1,4 +1,3 @@
-#include <twrench/motion/stepper.h>
 #include <twrench/study/estimate.h>
 
 #include <algorithm>
@@ -6,13 +5,15 @@
 
 #include "base/require.h"
 #include "study/ladder.h"
+#include "study/reference.h"
 
 namespace twrench::study {
 
 double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step) {
   require_finite_entries("after", step.after);
-  static const motion::Method& exact = motion::find_method("exact");
-  return (step.after - motion::take_step(body, exact, step.before, step.length).X).norm();
+  require_finite_entries("X", step.before);
+  require_finite("h", step.length);
+  return (step.after - reference_step(body, step.before, step.length)).norm();
 }
 
 void EstimateCheck::visit(const motion::AcceptedStep& step) {

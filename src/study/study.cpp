@@ -12,6 +12,7 @@
 
 #include "base/require.h"
 #include "study/ladder.h"
+#include "study/reference.h"
 
 namespace twrench::study {
 namespace {
@@ -43,53 +44,102 @@ double flip_error(const std::vector<double>& predicted, const std::vector<double
   return largest;
 }
 
+/// Returns whether flips are searched for.
+bool has_flips(const Study& study) {
+  return study.reference->exact() ? study.flips.has_value() : !study.loses_energy;
+}
+
+/// The energy errors of a run. If the body loses energy, an error is the difference from the
+/// reference.
+class EnergyErrors {
+ public:
+  EnergyErrors(const motion::FreeBody& body, double duration, StudyRun& run)
+      : body_(body), duration_(duration), run_(run) {
+    run.drift_in_time.assign(time_parts, 0.0);
+  }
+
+  /// Adds the relative change of the energy from t = 0 to t.
+  void add(double t, double change) {
+    if (body_.energy_loss() == 0) return record(t, change);
+    times_.push_back(t);
+    changes_.push_back(change);
+    if (times_.size() == most) compare();
+  }
+
+  /// Subtracts the changes of the reference from those added since the last call.
+  void compare() {
+    const double initial_energy = motion::energy(body_.inertia(), body_.omega());
+    const std::vector<motion::Sample> samples = reference_at(body_, times_);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const motion::Diagnostics d = motion::diagnose(body_, initial_energy, samples[i]);
+      record(times_[i], changes_[i] - d.energy_drift);
+    }
+    times_.clear();
+    changes_.clear();
+  }
+
+ private:
+  static constexpr std::size_t most = 100'000;  // samples in memory
+
+  void record(double t, double error) {
+    run_.energy_drift = std::max(run_.energy_drift, std::abs(error));
+    const double part = std::ceil(t / duration_ * time_parts) - 1.0;
+    double& drift = run_.drift_in_time[std::min(static_cast<std::size_t>(part), time_parts - 1)];
+    drift = std::max(drift, std::abs(error));
+  }
+
+  const motion::FreeBody& body_;
+  double duration_;
+  StudyRun& run_;
+  std::vector<double> times_, changes_;
+};
+
 /// Visits the method's steps and collects errors, flips and the quality of the estimate.
 void measure_steps(const motion::FreeBody& body, const motion::Method& method,
-                   const motion::StepControl& control, const Study& exact, StudyRun& run) {
+                   const motion::StepControl& control, const Study& study, StudyRun& run) {
   const double initial_energy = motion::energy(body.inertia(), body.omega());
   FlipSearch flips(body, method);
   EstimateCheck estimate(body);
+  EnergyErrors energy_errors(body, study.duration, run);
   std::int64_t steps = 0;
-  run.drift_in_time.assign(time_parts, 0.0);
   const auto visit = [&](const motion::AcceptedStep& step) {
     ++steps;
     const double t = step.t + step.length;
     const motion::Diagnostics d = motion::diagnose(
         body, initial_energy, {t, step.after, motion::angular_velocity(body, method, step.after)});
-    run.energy_drift = std::max(run.energy_drift, std::abs(d.energy_drift));
+    energy_errors.add(t, d.energy_drift);
     run.orthogonality_error = std::max(run.orthogonality_error, d.orthogonality_error);
     run.momentum_error = std::max(run.momentum_error, d.momentum_error);
-    const double part = std::ceil(t / exact.duration * time_parts) - 1.0;
-    double& drift = run.drift_in_time[std::min(static_cast<std::size_t>(part), time_parts - 1)];
-    drift = std::max(drift, std::abs(d.energy_drift));
-    if (exact.flips) flips.visit(step);
+    if (has_flips(study)) flips.visit(step);
     if (method.adaptive()) estimate.visit(step);
   };
-  motion::visit_steps(body, method, control, exact.duration, visit);
+  motion::visit_steps(body, method, control, study.duration, visit);
+  energy_errors.compare();
   run.flips = flips.times();
-  std::erase_if(run.flips, [&](double t) { return t > exact.duration; });
-  run.flip_error = flip_error(exact.flip_times, run.flips);
+  std::erase_if(run.flips, [&](double t) { return t > study.duration; });
+  run.flip_error = flip_error(study.flip_times, run.flips);
   if (!method.adaptive()) return;
-  run.step = exact.duration / static_cast<double>(steps);
+  run.step = study.duration / static_cast<double>(steps);
   run.estimate = estimate.quality();
 }
 
 StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
-                 const motion::StepControl& control, const Study& exact,
-                 const motion::ExactMotion& motion) {
+                 const motion::StepControl& control, const Study& study) {
   StudyRun run;
   run.step = control.step;
   if (method.adaptive()) run.tolerance = control.tolerance;
   try {
-    const std::array<double, 1> early{exact.early}, end{exact.duration};
-    const auto error = [&](const motion::Sample& s) { return (s.X - motion.at(s.t).X).norm(); };
+    const std::array<double, 1> early{study.early}, end{study.duration};
+    const auto error = [&](const motion::Sample& sample, std::span<const double> time) {
+      return (sample.X - reference_at(body, time)[0].X).norm();
+    };
     motion::Trajectory result;
     run.cpu_seconds = cpu_seconds([&] { result = motion::integrate(body, method, control, end); });
-    run.early_error = error(motion::integrate(body, method, control, early).samples[0]);
-    run.error = error(result.samples[0]);
+    run.early_error = error(motion::integrate(body, method, control, early).samples[0], early);
+    run.error = error(result.samples[0], end);
     run.steps = result.steps;
     run.evaluations = result.evaluations;
-    measure_steps(body, method, control, exact, run);
+    measure_steps(body, method, control, study, run);
   } catch (const motion::MotionError& error) {
     if (error.reason() == motion::MotionError::Reason::stopped) throw;
     run.failure = error.what();
@@ -150,16 +200,17 @@ Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
       throw InvalidArgument("tolerances", "there must be one at least");
     }
   }
-  const motion::ExactMotion motion(body);
-  Study result{plan.duration,
-               early_time(plan.duration, body.omega().norm()),
-               motion.flips(),
-               motion.flip_times(plan.duration),
-               {}};
+  Study result;
+  result.reference = &reference_method(body);
+  result.loses_energy = body.energy_loss() > 0;
+  result.duration = plan.duration;
+  result.early = early_time(plan.duration, body.omega().norm());
+  if (result.reference->exact()) result.flips = motion::ExactMotion(body).flips();
+  if (has_flips(result)) result.flip_times = reference_flip_times(body, plan.duration);
   for (const motion::Method* method : plan.methods) {
     MethodStudy of_method{method, {}, {}, {}};
     for (const motion::StepControl& control : controls_for(*method, plan)) {
-      of_method.runs.push_back(run_one(body, *method, control, result, motion));
+      of_method.runs.push_back(run_one(body, *method, control, result));
     }
     if (method->order.value_or(steepest + 1) <= steepest) {
       of_method.order = order_of(of_method.runs);

@@ -12,7 +12,8 @@ namespace {
 
 /// Every method that has steps, with errors computed from its order and a coefficient near 1.
 study::Study study_of_all() {
-  study::Study study{20, 10, {}, {}, {}};
+  study::Study study;
+  study.duration = 20, study.early = 10;
   double coefficient = 1;
   for (const motion::Method& method : motion::methods()) {
     if (method.exact()) continue;

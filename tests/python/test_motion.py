@@ -221,6 +221,12 @@ def test_a_study_measures_the_orders(body):
     assert study.methods["rkmk45"].runs[-1].tolerance == 1e-10
     assert study.methods["rkmk45"].runs[-1].error < 1e-6
     np.testing.assert_allclose(study.flip_times, twrench.exact(body, OMEGA).flip_times(24))
+    assert study.reference == "exact"
+    with_wheel = twrench.study(body, OMEGA, ["rkmk4"], duration=24, wheel=[40, -30, 20])
+    assert with_wheel.reference == "taylor"
+    assert with_wheel.methods["rkmk4"].order == pytest.approx(4, abs=0.2)
+    lossy = twrench.study(body, OMEGA, ["rkmk4"], duration=24, energy_loss_time=20)
+    assert lossy.methods["rkmk4"].runs[-1].energy_drift < 1e-6 and not lossy.flip_times.size
     pytest.importorskip("pandas")
     assert len(study.to_dataframe()) == 8
     failed = twrench.study(body, [100, 5, 0], ["rk4"], duration=1, steps=[1.0])

@@ -79,6 +79,50 @@ TEST(Study, HoldsFlipsAgainstThePrediction) {
   EXPECT_LT(exact.flip_error, 1e-12);
 }
 
+/// Motions without a closed form: with a wheel, with energy loss, and with both.
+TEST(Study, HasAReferenceForAWheelAndEnergyLoss) {
+  for (const motion::ReferenceCase& c : motion::constant_momentum_cases()) {
+    const motion::Sample& end = c.samples[1];
+    StudyPlan plan = plan_for({"rk4", "rkmk4", "cf4", "rkmk45", "taylor"}, end.t);
+    const Study result = run_study(c.body, plan);
+    const bool loses = c.body.energy_loss() > 0;
+    EXPECT_EQ(result.reference->name, "taylor") << c.name;
+    EXPECT_FALSE(result.flips);
+    const StudyRun& finest = result.methods[1].runs.back();
+    const auto sample = motion::integrate(c.body, motion::find_method("rkmk4"),
+                                          {.step = finest.step}, std::vector{end.t})
+                            .samples[0];
+    EXPECT_NEAR(finest.error, (sample.X - end.X).norm(), 1e-13) << c.name;
+    for (const MethodStudy& m : result.methods) {
+      if (m.method->order == 4) {
+        EXPECT_NEAR(m.order.value(), 4, 0.4) << c.name;  // short, so it has few points
+      }
+      const StudyRun& run = m.runs.back();
+      EXPECT_LT(run.error, 1e-5) << c.name << " " << m.method->name;
+      EXPECT_LT(run.energy_drift, 2e-7) << c.name << " " << m.method->name;
+      EXPECT_EQ(run.flips.size(), result.flip_times.size()) << c.name << " " << m.method->name;
+      if (loses) {
+        EXPECT_TRUE(run.flips.empty());
+      }
+    }
+    EXPECT_NEAR(result.methods[3].runs.back().estimate->median_ratio, 1, 0.1) << c.name;
+  }
+}
+
+/// The reference of a body that turns over nevertheless finds the same flips as the closed form of
+/// that body without its negligible wheel.
+TEST(Study, FindsTheFlipsOfABodyWithAWheel) {
+  const motion::FreeBody body = wrench();
+  const motion::FreeBody with_wheel(body.inertia(), body.omega(), Eigen::Matrix3d::Identity(),
+                                    {.wheel = 1e-9 * body.body_momentum()});
+  const std::vector<double> expected = motion::ExactMotion(body).flip_times(96);
+  const Study result = run_study(with_wheel, plan_for({"taylor"}, 96));
+  ASSERT_EQ(result.flip_times.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(result.flip_times[i], expected[i], 1e-4);
+  }
+}
+
 TEST(Study, EstimateOfTheEmbeddedPairs) {
   const Study result = run_study(wrench(), plan_for({"rkf45", "rkmk45", "rk4"}, 20));
   EXPECT_NEAR(result.methods[0].estimate_exponent.value(), -2, 0.1);

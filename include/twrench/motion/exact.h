@@ -42,7 +42,12 @@ class ExactMotion {
     separatrix,
   };
 
-  /// Prepares the constants of the motion.
+  /// Returns whether the motion of a body has a closed form: not with energy loss, and with a wheel
+  /// only if the wheel is along the axis of a symmetric body.
+  static bool covers(const FreeBody& body);
+
+  /// Prepares the constants of the motion. Throws InvalidArgument about "method exact" if there is
+  /// no closed form.
   explicit ExactMotion(const FreeBody& body);
   /// Copies it.
   ExactMotion(const ExactMotion&) = default;

@@ -7,8 +7,8 @@
 namespace twrench::study {
 
 /// Returns the true local error of a step: the Frobenius distance between its end and the exact
-/// motion started from its beginning. Throws OutOfRange about "X", "after" or "h" if the beginning,
-/// the end or the length of the step is not finite.
+/// motion (or that of `taylor`, if there is no closed form) from its beginning. Throws OutOfRange
+/// about "X", "after" or "h" if the beginning, the end or the length of the step is not finite.
 double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step);
 
 /// The quality of an embedded pair's error estimate E, compared with the true local errors of

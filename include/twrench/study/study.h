@@ -31,7 +31,7 @@ struct StudyPlan {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// One run of a method, compared with the exact solution.
+/// One run of a method, compared with the reference.
 struct StudyRun {
   /// Step size in s; for an adaptive method, the mean of the accepted ones.
   double step = 0.0;
@@ -41,11 +41,12 @@ struct StudyRun {
   std::string failure;
   /// The reason of the failure.
   std::optional<motion::MotionError::Reason> failure_reason = {};
-  /// Frobenius norm of X - X_exact at Study::early.
+  /// Frobenius norm of X - X_reference at Study::early.
   double early_error = 0.0;
-  /// Frobenius norm of X - X_exact at the end.
+  /// Frobenius norm of X - X_reference at the end.
   double error = 0.0;
-  /// Largest absolute value over all steps.
+  /// Largest absolute value over all steps of energy / energy(0) - 1. If the body loses energy, the
+  /// energy of the reference at the same time replaces energy(0) in the difference.
   double energy_drift = 0.0;
   /// Largest value over all steps.
   double orthogonality_error = 0.0;
@@ -82,14 +83,20 @@ struct MethodStudy {
 
 /// The results of a study.
 struct Study {
+  /// The method that computes the reference: `exact`, or `taylor` at its tightest tolerance if the
+  /// motion has no closed form.
+  const motion::Method* reference = nullptr;
+  /// Whether the body loses energy. Flips are then not counted: the oscillation decays to
+  /// round-off, whose sign changes mean nothing.
+  bool loses_energy = false;
   /// Duration of the motion in s.
   double duration = 0.0;
   /// Time in s at which orders are measured: after a rotation of about 10 rad, but before flips
   /// have amplified energy errors, whose order may differ.
   double early = 0.0;
-  /// The flips of the exact motion.
+  /// The flips of the exact motion, if it has a closed form.
   std::optional<motion::ExactMotion::Flips> flips;
-  /// Predicted flip times in s, up to the duration.
+  /// Flip times of the reference in s, up to the duration; none if the body loses energy.
   std::vector<double> flip_times;
   /// Results by method, in the plan's order.
   std::vector<MethodStudy> methods;
@@ -98,7 +105,8 @@ struct Study {
 /// Runs the study. If a method does not reach the end, for example because its steps are too long,
 /// the run records the failure. Throws OutOfRange about a duration, a step or a tolerance that is
 /// not allowed; InvalidArgument about "steps" if there are none, about "tolerances" if there are
-/// none for an adaptive method, and about "methods" if one is null; MotionError when it is stopped.
+/// none for an adaptive method, about "methods" if one is null, and about "method exact" if that is
+/// one of them but the motion has no closed form; MotionError when it is stopped.
 Study run_study(const motion::FreeBody& body, const StudyPlan& plan);
 
 }  // namespace twrench::study

@@ -14,7 +14,6 @@
 #include "app/terminal/message.h"
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"
-#include "scene/interior.h"
 #include "scene/limits.h"
 #include "study/ladder.h"
 #include "system/file.h"
@@ -46,7 +45,10 @@ std::vector<const motion::Method*> chosen_methods(const StudyOptions& options,
   } else if (options.app.count("--method") > 0) {
     chosen.push_back(&motion::find_method(scene.motion.method));
   } else {
-    for (const motion::Method& method : motion::methods()) chosen.push_back(&method);
+    const bool has_closed_form = motion::ExactMotion::covers(scene::free_body(scene));
+    for (const motion::Method& method : motion::methods()) {
+      if (has_closed_form || !method.exact()) chosen.push_back(&method);
+    }
   }
   return chosen;
 }
@@ -136,7 +138,6 @@ ExitCode run_study(const StudyOptions& options) {
   if (!options.plot.empty()) plot::require_gnuplot(options.plot);
   const std::vector<Bound> bounds = bounds_of(options);
   const scene::Scene scene = options.scene.scene();
-  scene::require_rigid(scene, "a study");
   const study::StudyPlan plan = plan_of(options, scene);
   if (!options.plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("--plot", "the exact method alone has no steps to plot");

@@ -27,7 +27,20 @@ std::string hundredths(double value) {
   return fmt::format("{:.2f}", std::round(100.0 * value) / 100.0 + 0.0);
 }
 
+std::string reference_text(const study::Study& study) {
+  if (study.reference->exact()) return "the exact solution";
+  return fmt::format("{} at tolerance {}, because the motion has no closed form",
+                     study.reference->name, motion::min_tolerance);
+}
+
 std::string flips_heading(const study::Study& study) {
+  if (study.loses_energy) {
+    return "Flips: not counted, because they cease as the body loses energy.\n";
+  }
+  if (!study.reference->exact()) {
+    return fmt::format("Flips (sign changes of omega along the intermediate axis) of {}: {}.\n",
+                       study.reference->name, study.flip_times.size());
+  }
   if (!study.flips) return "Flips: none; omega is constant, or there is no intermediate axis.\n";
   const motion::ExactMotion::Flips& flips = *study.flips;
   if (!std::isfinite(flips.interval)) {
@@ -164,8 +177,8 @@ Json flips_json(const study::Study& study) {
 }  // namespace
 
 std::string study_text(const study::Study& study, const std::string& scene) {
-  return fmt::format("{}: {} s of motion, methods compared with the exact solution\n\n{}\n{}{}{}",
-                     scene, study.duration, flips_heading(study), runs_text(study),
+  return fmt::format("{}: {} s of motion, methods compared with {}\n\n{}\n{}{}{}", scene,
+                     study.duration, reference_text(study), flips_heading(study), runs_text(study),
                      estimates_text(study), flips_text(study));
 }
 
@@ -213,11 +226,9 @@ std::string study_json(const study::Study& study, const std::string& scene) {
                    {"estimate_exponent", or_null(m.estimate_exponent)},
                    {"runs", runs}});
   }
-  const Json document{{"scene", scene},
-                      {"duration", study.duration},
-                      {"early", study.early},
-                      {"flips", flips_json(study)},
-                      {"methods", all}};
+  const Json document{
+      {"scene", scene},       {"reference", study.reference->name}, {"duration", study.duration},
+      {"early", study.early}, {"flips", flips_json(study)},         {"methods", all}};
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <twrench/motion/trajectory.h>
+
+#include <span>
+#include <vector>
+
+// The motion with which methods are compared: the closed form or, where there is none, the method
+// `taylor` at its tightest tolerance.
+
+namespace twrench::study {
+
+/// Returns the method that computes the reference of the body's motion.
+const motion::Method& reference_method(const motion::FreeBody& body);
+
+/// Returns the samples of the reference at the times in s.
+std::vector<motion::Sample> reference_at(const motion::FreeBody& body,
+                                         std::span<const double> times);
+
+/// Returns the attitude of the reference `length` seconds after the attitude X.
+Eigen::Matrix3d reference_step(const motion::FreeBody& body, const Eigen::Matrix3d& X,
+                               double length);
+
+/// Returns the flip times of the reference up to t_end, s, as FlipSearch finds them where there is
+/// no closed form.
+std::vector<double> reference_flip_times(const motion::FreeBody& body, double t_end);
+
+}  // namespace twrench::study
