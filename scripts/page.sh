@@ -31,7 +31,7 @@ clang_version() {
 core_sources() {
   printf 'src/%s.cpp\n' base/{color,error,letters,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
     body/triangle_mesh \
-    motion/{diagnostics,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
+    motion/{diagnostics,energy_contours,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
     motion/{series_steps,stability,stepper,taylor,trajectory} study/flip_search \
     scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
     picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,intersections,mesh,shadow_balls} \

@@ -1,10 +1,10 @@
 #include "picture/views/momentum_view.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace twrench::picture {
 namespace {
@@ -12,8 +12,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int levels = 4;  // around each end of an axis
-constexpr int points_of_curve = 240;
 constexpr double lifted = 1.002;  // lifts curves off the facets of the sphere
 constexpr double axis_end = 1.24;
 constexpr double named = 1.12;  // position of an axis' name, in units of axis_end
@@ -41,6 +39,13 @@ std::string MomentumView::description(const timeline::Solution& solution,
   const std::string sphere =
       "The angular momentum L, seen from the body. Its length is constant, so its tip stays on a "
       "sphere; ";
+  if (!solution.body.is_rigid()) {
+    return sphere + (solution.body.energy_loss() > 0
+                         ? "the body loses energy, so it crosses the curves of constant energy, "
+                           "down to the least."
+                         : "the energy is constant, so it stays on one curve. A wheel in the body "
+                           "moves the curves. Dots are steady rotations.");
+  }
   if (!frame.level) return sphere + "as all moments are equal, it stays where it is.";
   const std::string level = sphere + "the energy is constant, so it stays on one curve. ";
   if (solution.flips) {
@@ -61,40 +66,25 @@ MomentumView::MomentumView(const scene::Scene& scene,
   for (int i = 0; i < 3; ++i) tips.emplace_back(named * axis_end * view_from_own_.col(i));
   frame(std::atan2(from.x(), from.z()), std::atan2(from.y(), std::hypot(from.x(), from.z())), 1,
         tips);
+  curves_ = sphere_curves(body_, frame_);
 }
 
 Vector3d MomentumView::place_of(const motion::Sample& sample) const {
   const double G = body_.momentum().stableNorm();
   if (G == 0) return Vector3d::Zero();
-  return view_from_own_ * (frame_.axes.transpose() * (body_.inertia() * sample.omega / G));
+  // X^-1 L is I omega of a rigid body, for methods that leave SO(3) too.
+  return view_from_own_ * (frame_.axes.transpose() * (sample.X.inverse() * body_.momentum() / G));
 }
 
-template <typename Place>
-void MomentumView::add_curve(Place place, double width, const Ink& ink, DrawList& list) const {
+void MomentumView::add_curve(const SphereCurves::Curve& curve, double width, const Ink& ink,
+                             DrawList& list) const {
   std::vector<DrawList::Point> line;
-  for (int i = 0; i <= points_of_curve; ++i) {
-    const Vector3d point = view_from_own_ * place(2 * std::numbers::pi * i / points_of_curve);
+  for (const Vector3d& own : curve) {
+    const Vector3d point = view_from_own_ * own;
     const double opacity = ink.opacity * shown(point, point, list.eye());
     line.push_back({lifted * point, width * hairline(), {ink.color, opacity}});
   }
   list.line(line);
-}
-
-void MomentumView::add_level(const motion::EnergyLevel& level, double width, const Ink& ink,
-                             DrawList& list) const {
-  add_curve([&](double phi) { return level.at(phi); }, width, ink, list);
-}
-
-void MomentumView::add_separatrix(DrawList& list) const {
-  const auto circles = motion::separatrix(body_.principal().moments);
-  if (!circles) return;
-  for (const Vector3d& side : *circles) {
-    add_curve(
-        [&](double phi) -> Vector3d {
-          return std::cos(phi) * Vector3d::UnitY() + std::sin(phi) * side;
-        },
-        1.7, {colors_.text, 0.95}, list);
-  }
 }
 
 void MomentumView::add_sphere(ViewContents& contents) const {
@@ -106,11 +96,17 @@ void MomentumView::add_sphere(ViewContents& contents) const {
   DrawList& list = contents.translucent;
   list.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.22}, 0.75,
                  {colors_.panel, colors_.panel_opacity});
-  for (const motion::EnergyLevel& level : motion::level_family(body_.principal().moments, levels)) {
-    add_level(level, 1.25, {frame_.colors[static_cast<std::size_t>(level.axis)], 0.95}, list);
+  for (const auto& [curve, axis] : curves_.levels) {
+    add_curve(curve, 1.25, {frame_.colors[axis], 0.95}, list);
   }
-  if (frame_.level) add_level(*frame_.level, 1.5, {colors_.momentum, 0.85}, list);
-  add_separatrix(list);
+  if (!curves_.path.empty()) add_curve(curves_.path, 1.5, {colors_.momentum, 0.85}, list);
+  for (const SphereCurves::Curve& curve : curves_.separatrices) {
+    add_curve(curve, 1.7, {colors_.text, 0.95}, list);
+  }
+  for (const Vector3d& own : curves_.equilibria) {
+    const Vector3d point = view_from_own_ * own;
+    list.dot(lifted * point, 3 * hairline(), {colors_.text, shown(point, point, list.eye())});
+  }
 }
 
 void MomentumView::add_momentum(const timeline::SolutionState& instant, const std::string& name,

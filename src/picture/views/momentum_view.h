@@ -1,6 +1,7 @@
 #pragma once
 
 #include "picture/views/solution_view.h"
+#include "picture/views/sphere_curves.h"
 
 namespace twrench::picture {
 
@@ -33,13 +34,11 @@ class MomentumView : public SolutionView {
   void add_axis_labels(ViewContents& contents) const;
   void add_momentum(const timeline::SolutionState& instant, const std::string& name,
                     const Color& color, ViewContents& contents) const;
-  void add_level(const motion::EnergyLevel& level, double width, const Ink& ink,
+  void add_curve(const SphereCurves::Curve& curve, double width, const Ink& ink,
                  DrawList& list) const;
-  void add_separatrix(DrawList& list) const;
-  template <typename Place>
-  void add_curve(Place place, double width, const Ink& ink, DrawList& list) const;
 
   Eigen::Matrix3d view_from_own_;  ///< From coordinates along the frame's axes to the picture's.
+  SphereCurves curves_;
 };
 
 }  // namespace twrench::picture
