@@ -26,7 +26,8 @@ scene::Scene still(scene::Scene scene) {
   scene.overlay.view = scene::View::wrench;
   scene.overlay.show = {floor, momentum, omega};
   scene.overlay.stress.clear();
-  scene.overlay.compare.clear(), scene.overlay.compare_omega.clear();
+  scene.overlay.compare.clear();
+  scene.overlay.compare_omega.clear(), scene.overlay.compare_wheel.clear();
   scene.look.transparent = false;
   scene.shots.clear();
   scene.title.clear();

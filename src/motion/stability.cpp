@@ -32,6 +32,12 @@ Stability stability(const Vector3d& moments, PrincipalAxes::Axis axis, double om
   return {square < 0 ? Stability::Kind::unstable : Stability::Kind::stable, rate};
 }
 
+double stabilizing_wheel(const Vector3d& moments, double omega) {
+  body::require_ascending_moments(moments);
+  require_finite("omega", omega);
+  return (moments[2] - moments[1]) * omega;
+}
+
 Tilt::Tilt(const FreeBody& body)
     : moments_(body.principal().moments),
       axes_(body.principal().axes),

@@ -230,18 +230,19 @@ auto energy_loss_time() {
                     }};
 }
 
-auto compared_velocities() {
-  return Conversion{{.limit = limits::coordinate, .most = limits::max_compared},
-                    [](const std::vector<Eigen::Vector3d>& velocities, const std::string& what) {
-                      for (const Eigen::Vector3d& omega : velocities)
-                        limits::check_omega(what, omega);
-                      if (velocities.size() > limits::max_compared) {
+/// Vectors that distinguish the motions shown side by side.
+template <typename Check>
+auto compared(const limits::Limit& limit, const Check& check) {
+  return Conversion{{.limit = limit, .most = limits::max_compared},
+                    [check](const std::vector<Eigen::Vector3d>& vectors, const std::string& what) {
+                      for (const Eigen::Vector3d& vector : vectors) check(what, vector);
+                      if (vectors.size() > limits::max_compared) {
                         throw InvalidArgument(
-                            what, fmt::format("has {} velocities, but at most {} are drawn side by "
-                                              "side",
-                                              velocities.size(), limits::max_compared));
+                            what, fmt::format("has {} vectors, but at most {} motions are drawn "
+                                              "side by side",
+                                              vectors.size(), limits::max_compared));
                       }
-                      return velocities;
+                      return vectors;
                     }};
 }
 
@@ -409,7 +410,14 @@ const std::vector<Field>& fields() {
           {"overlay", "compare_omega", "X,Y,Z;...",
            "show up to four motions side by side: their initial angular velocities, rad/s",
            "the motion's omega"},
-          compared_velocities(), [](auto& s) -> auto& { return s.overlay.compare_omega; }),
+          compared(limits::coordinate, limits::check_omega),
+          [](auto& s) -> auto& { return s.overlay.compare_omega; }),
+      complete<vectors>(
+          {"overlay", "compare_wheel", "X,Y,Z;...",
+           "show up to four motions side by side: the angular momenta of their wheels, g cm^2/s",
+           "the motion's wheel"},
+          compared(limits::angular_momentum, limits::check_wheel),
+          [](auto& s) -> auto& { return s.overlay.compare_wheel; }),
       complete<vector>(
           {"overlay", "trail_point", "X,Y,Z",
            "point that draws the trail, in the axes of the parts, cm", "the farthest point"},

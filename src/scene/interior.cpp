@@ -14,12 +14,16 @@
 namespace twrench::scene {
 namespace {
 
+/// Returns whether all motions of the scene, without its shots, are those of a rigid body.
+bool is_rigid(const Scene& scene) {
+  return scene.motion.is_rigid() && scene.overlay.compare_wheel.empty();
+}
+
 /// Returns whether a feature is computed from the closed form or from the energy of a rigid body.
 bool needs_rigid_body(Feature feature) {
-  static constexpr std::array others{Feature::plane, Feature::forces, Feature::tilt,
-                                     Feature::moments};
-  const bool is_inset = std::ranges::find(insets, feature, &Inset::feature) != insets.end();
-  return is_inset || std::ranges::find(others, feature) != others.end();
+  static constexpr std::array features{Feature::plane, Feature::poinsot, Feature::forces,
+                                       Feature::tilt, Feature::moments};
+  return std::ranges::find(features, feature) != features.end();
 }
 
 /// Returns the features of a film that have a meaning only for the scene's body if it is rigid.
@@ -37,10 +41,10 @@ std::vector<std::string> features_of_rigid_bodies(const Scene& scene) {
 
 void check_interior(const Scene& scene,
                     const std::function<std::string(const std::string& key)>& name_of) {
-  if (scene.motion.is_rigid()) return;
+  if (is_rigid(scene)) return;
   try {
     free_body(scene);
-    for (const Eigen::Vector3d& omega : scene.overlay.compare_omega) free_body(scene, omega);
+    shown_bodies(scene);
   } catch (const InvalidArgument& error) {
     const std::string why = std::string(error.what()).substr(error.quantity().size() + 2);
     throw InvalidArgument(name_of(error.quantity()), why, error.remedy());
@@ -53,12 +57,10 @@ void check_shown_motion(const Scene& film) {
     if (is_shown) return;
     throw InvalidArgument(key, what + " can be shown only of a rigid body", remedy);
   };
-  if (film.shots.empty() && !film.motion.is_rigid()) {
+  if (film.shots.empty() && !is_rigid(film)) {
     const Overlay& overlay = film.overlay;
-    require(overlay.view == View::wrench, "view", std::string(enumerator_name(overlay.view)),
-            "use the view wrench");
-    require(overlay.compare.empty(), "compare", "methods side by side", "leave it out");
-    require(overlay.compare_omega.empty(), "compare_omega", "motions side by side", "leave it out");
+    require(overlay.view == View::wrench || overlay.view == View::momentum, "view",
+            std::string(enumerator_name(overlay.view)), "use the view wrench or momentum");
     const std::string names = fmt::format("{}", fmt::join(features_of_rigid_bodies(film), ","));
     require(names.empty(), "show", names, "hide it: " + names);
   }
@@ -66,8 +68,10 @@ void check_shown_motion(const Scene& film) {
 }
 
 void require_rigid(const Scene& scene, const std::string& what) {
-  if (!scene.motion.is_rigid()) {
-    throw InvalidArgument(scene.motion.wheel ? "wheel" : "energy_loss_time",
+  if (!is_rigid(scene)) {
+    throw InvalidArgument(scene.motion.wheel              ? "wheel"
+                          : scene.motion.energy_loss_time ? "energy_loss_time"
+                                                          : "compare_wheel",
                           what + " needs the closed form of a rigid body's motion",
                           "use a rigid body; simulate computes the motion of any body");
   }

@@ -104,8 +104,8 @@ NaturalTimes natural_times(const motion::FreeBody& body) {
 
 NaturalTimes natural_times(const Scene& scene) {
   std::optional<NaturalTimes> all;
-  for (const Eigen::Vector3d& omega : scene.overlay.compare_omega) {
-    const NaturalTimes times = natural_times(free_body(scene, omega));
+  for (const motion::FreeBody& body : shown_bodies(scene)) {
+    const NaturalTimes times = natural_times(body);
     if (!all) all = times;
     all->step = std::min(all->step, times.step);
     all->sample_rate = std::max(all->sample_rate, times.sample_rate);
@@ -113,7 +113,7 @@ NaturalTimes natural_times(const Scene& scene) {
     all->duration = times.duration;
     all->speed = times.speed;
   }
-  return all ? *all : natural_times(free_body(scene));
+  return *all;
 }
 
 void set_natural_times(Scene& scene) {

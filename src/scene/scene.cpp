@@ -45,7 +45,7 @@ std::string remedy_for_frame_count(bool too_many, bool one_motion) {
 }  // namespace
 
 std::size_t Overlay::motion_count() const {
-  return std::max({compare.size(), compare_omega.size(), std::size_t{1}});
+  return std::max({compare.size(), compare_omega.size(), compare_wheel.size(), std::size_t{1}});
 }
 
 double Scene::video_length() const {
@@ -91,17 +91,30 @@ body::MassProperties mass_properties(const Body& body) {
           principal.moments, principal.axes};
 }
 
-motion::FreeBody free_body(const Scene& scene, const Eigen::Vector3d& omega) {
+motion::FreeBody free_body(const Scene& scene) {
   const Motion& given = scene.motion;
   motion::Interior interior;
   if (given.wheel) interior.wheel = *given.wheel;
   if (given.energy_loss_time) interior.energy_loss_time = *given.energy_loss_time;
   Eigen::Matrix3d start = Eigen::Matrix3d::Identity();
   if (given.attitude) start = given.attitude->toRotationMatrix();
-  return {mass_properties(scene.body).inertia, omega, start, interior};
+  return {mass_properties(scene.body).inertia, given.omega, start, interior};
 }
 
-motion::FreeBody free_body(const Scene& scene) { return free_body(scene, scene.motion.omega); }
+std::vector<motion::FreeBody> shown_bodies(const Scene& scene) {
+  std::vector<motion::FreeBody> bodies;
+  Scene other = scene;
+  for (const Eigen::Vector3d& omega : scene.overlay.compare_omega) {
+    other.motion.omega = omega;
+    bodies.push_back(free_body(other));
+  }
+  for (const Eigen::Vector3d& wheel : scene.overlay.compare_wheel) {
+    other.motion.wheel = wheel;
+    bodies.push_back(free_body(other));
+  }
+  if (bodies.empty()) bodies.push_back(free_body(scene));
+  return bodies;
+}
 
 double fastest_rate(const motion::FreeBody& body) {
   const double doubled_energy = body.omega().dot(body.inertia() * body.omega());

@@ -221,6 +221,9 @@ struct Overlay {
   /// Initial angular velocities in body axes, in rad/s, of the motions shown side by side; empty
   /// shows only Motion::omega.
   std::vector<Eigen::Vector3d> compare_omega;
+  /// Angular momenta of the wheels in body axes, in g cm^2/s, of the motions shown side by side;
+  /// empty shows only Motion::wheel.
+  std::vector<Eigen::Vector3d> compare_wheel;
   /// The point of the body that draws the trail, in the axes of the parts, in cm; by default see
   /// trail_point().
   std::optional<Eigen::Vector3d> trail_point;
@@ -332,8 +335,9 @@ body::MassProperties mass_properties(const Body& body);
 /// Returns the scene's body with the initial condition of its motion.
 motion::FreeBody free_body(const Scene& scene);
 
-/// Returns the scene's body with another angular velocity at t = 0, in body axes, in rad/s.
-motion::FreeBody free_body(const Scene& scene, const Eigen::Vector3d& omega);
+/// Returns the bodies of the motions shown side by side that differ in their angular velocity or
+/// their wheel; otherwise that of the scene's motion.
+std::vector<motion::FreeBody> shown_bodies(const Scene& scene);
 
 /// Returns an upper bound of |omega| in rad/s at all times t >= 0: the energy never increases, so
 /// that |w| is at most sqrt(2 E / I1).

@@ -69,7 +69,8 @@ struct Start {
         attitude(scene.motion.attitude),
         wheel(scene.motion.wheel),
         energy_loss_time(scene.motion.energy_loss_time),
-        compared(scene.overlay.compare_omega) {}
+        compared_omega(scene.overlay.compare_omega),
+        compared_wheel(scene.overlay.compare_wheel) {}
   bool operator==(const Start&) const = default;
 
   Eigen::Matrix3d inertia;
@@ -77,7 +78,7 @@ struct Start {
   std::optional<Eigen::Quaterniond> attitude;
   std::optional<Eigen::Vector3d> wheel;
   std::optional<double> energy_loss_time;
-  std::vector<Eigen::Vector3d> compared;
+  std::vector<Eigen::Vector3d> compared_omega, compared_wheel;
 };
 
 /// Reads shots one after the other.

@@ -55,25 +55,39 @@ std::vector<double> seen_flips(const Solution& solution, double duration) {
   return search.times();
 }
 
+/// Writes numbers from 100 to a million as whole numbers.
+std::string rounded(double value) {
+  const double size = std::abs(value);
+  const bool is_whole = size >= 100 && size < 1e6;
+  return is_whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 /// "x, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its moment of
 /// inertia; otherwise omega.
-std::string name_of(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia) {
+std::string name_of_start(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia) {
   Eigen::Index axis = 0;
   constexpr double near = 0.95;
   if (omega.isZero(0.0) || omega.cwiseAbs().maxCoeff(&axis) < near * omega.norm()) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
   }
-  const double moment = inertia(axis, axis);
-  const bool is_whole = moment >= 100 && moment < 1e6;
-  return fmt::format("{}, {} g cm²", "xyz"[axis],
-                     is_whole ? fmt::format("{:.0f}", moment) : fmt::format("{:.3g}", moment));
+  return fmt::format("{}, {} g cm²", "xyz"[axis], rounded(inertia(axis, axis)));
+}
+
+/// "h 300 g cm²/s" for a wheel along a body axis, because a legend is narrow; "no wheel".
+std::string name_of_wheel(const Eigen::Vector3d& wheel) {
+  if (wheel.isZero(0.0)) return "no wheel";
+  Eigen::Index axis = 0;
+  if (wheel.cwiseAbs().maxCoeff(&axis) == wheel.norm()) {
+    return fmt::format("h {} g cm²/s", rounded(wheel[axis]));
+  }
+  return fmt::format("h ({}, {}, {}) g cm²/s", rounded(wheel.x()), rounded(wheel.y()),
+                     rounded(wheel.z()));
 }
 
 Solution solution_of(const scene::Scene& scene, const motion::StepControl& control,
                      const std::string& name, const std::string& method,
-                     const Eigen::Vector3d& omega) {
-  Solution solution{
-      &motion::find_method(method), control, scene::free_body(scene, omega), 0.0, {}, {}, {}, name};
+                     const motion::FreeBody& body) {
+  Solution solution{&motion::find_method(method), control, body, 0.0, {}, {}, {}, name};
   solution.initial_energy = motion::energy(solution.body.inertia(), solution.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
@@ -86,21 +100,27 @@ Solution solution_of(const scene::Scene& scene, const motion::StepControl& contr
   return solution;
 }
 
-/// One solution per method or per initial angular velocity.
+/// Returns the name of a motion among those shown side by side; the method if there are no others.
+std::string name_of(const scene::Scene& scene, const motion::FreeBody& body) {
+  if (!scene.overlay.compare_omega.empty()) return name_of_start(body.omega(), body.inertia());
+  if (!scene.overlay.compare_wheel.empty()) return name_of_wheel(body.interior().wheel);
+  return scene.motion.method;
+}
+
+/// One solution per method, or per initial angular velocity or wheel.
 std::vector<Solution> solutions_of(const scene::Scene& scene, const std::atomic<bool>* stop) {
-  const Eigen::Vector3d& omega = scene.motion.omega;
-  const std::string& method = scene.motion.method;
   motion::StepControl control = scene.motion.control;
   control.stop = stop;
+  const std::vector<motion::FreeBody> bodies = scene::shown_bodies(scene);
   std::vector<Solution> solutions;
-  for (const std::string& other : scene.overlay.compare) {
-    solutions.push_back(solution_of(scene, control, other, other, omega));
+  for (const std::string& method : scene.overlay.compare) {
+    solutions.push_back(solution_of(scene, control, method, method, bodies[0]));
   }
-  const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;
-  for (const Eigen::Vector3d& other : scene.overlay.compare_omega) {
-    solutions.push_back(solution_of(scene, control, name_of(other, inertia), method, other));
+  if (!solutions.empty()) return solutions;
+  for (const motion::FreeBody& body : bodies) {
+    solutions.push_back(
+        solution_of(scene, control, name_of(scene, body), scene.motion.method, body));
   }
-  if (solutions.empty()) solutions.push_back(solution_of(scene, control, method, method, omega));
   return solutions;
 }
 

@@ -29,8 +29,9 @@ const std::string fault_film = bare_film + "--progress none --frames-dir f ";
 const std::string fault_frames = fault_film + "--no-video ";
 
 /// For a fault that a shell causes midway.
-const std::string held_film = "--size 160x90 --fps 10 --speed 6 --duration 120 --no-video "
-                              "--frames-dir f";
+const std::string held_film =
+    "--size 160x90 --fps 10 --speed 6 --duration 120 --no-video "
+    "--frames-dir f";
 
 /// Checks the message of a failure, and the frames that remain.
 void expect_told(const Outcome& run, int code, const std::string& message) {
@@ -95,10 +96,10 @@ TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
 // The estimate cannot foresee this, because another program uses up the space.
 TEST(Faults, ADiskThatFillsUpMidway) {
   const ScratchFolder folder;
-  const Outcome run = run_on_small_disk(
-      folder, "30m",
-      "cd d && " + start_held(held_film, "f") + "cat /dev/zero >big 2>/dev/null; " +
-          release_held + "; code=$?; rm big; cd ..; (exit $code)");
+  const Outcome run = run_on_small_disk(folder, "30m",
+                                        "cd d && " + start_held(held_film, "f") +
+                                            "cat /dev/zero >big 2>/dev/null; " + release_held +
+                                            "; code=$?; rm big; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "No space left on device");
   count_whole_frames(folder / "after/f");
@@ -159,8 +160,7 @@ TEST(Faults, AManifestThatCannotBeWritten) {
 
 TEST(Faults, TheFolderIsRemovedMidway) {
   const ScratchFolder folder;
-  const Outcome run =
-      run_shell(folder, start_held(held_film, "f") + "mv f g; " + release_held);
+  const Outcome run = run_shell(folder, start_held(held_film, "f") + "mv f g; " + release_held);
   expect_told(run, 5, "No such file or directory");
   EXPECT_EQ(count_temporaries(folder / "g"), 0U);
 }
@@ -226,16 +226,15 @@ TEST(Faults, AnOpenGlWithoutACoreProfile) {
   expect_told(run, 3, "core profile");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they report crashes
+#if !defined(TWRENCH_SANITIZED)  // they report crashes
 TEST(Faults, ACrashIsOneMessage) {
   const ScratchFolder folder;
-  const Outcome run =
-      run_shell(folder, start_held(held_film, "f") + "kill -SEGV $pid; wait $pid");
+  const Outcome run = run_shell(folder, start_held(held_film, "f") + "kill -SEGV $pid; wait $pid");
   expect_told(run, 70, "internal: it crashed");
 }
 #endif
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they reserve all memory
+#if !defined(TWRENCH_SANITIZED)  // they reserve all memory
 TEST(Faults, TooLittleMemory) {
   const ScratchFolder folder;
   // The picture needs several times as much. The limit is on data, because each thread reserves

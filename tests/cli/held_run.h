@@ -6,8 +6,8 @@
 namespace twrench {
 
 /// Shell commands that start `render ARGUMENTS` in the background with its number in `$pid`, and
-/// return when it has written `folder`/frame_000000.png. The run then waits, because its standard output
-/// is a full pipe, where it reports its progress.
+/// return when it has written `folder`/frame_000000.png. The run then waits, because its standard
+/// output is a full pipe, where it reports its progress.
 inline std::string start_held(const std::string& arguments, const std::string& folder) {
   return "mkfifo hold; exec 9<>hold; rm hold; "
          "dd if=/dev/zero of=/dev/fd/9 oflag=nonblock bs=4096 2>/dev/null; "
@@ -17,7 +17,6 @@ inline std::string start_held(const std::string& arguments, const std::string& f
 }
 
 /// Shell commands that let the run continue and wait for its end. The last status is the run's.
-const std::string release_held =
-    "exec 8</dev/fd/9 9<&-; cat <&8 >/dev/null & exec 8<&-; wait $pid";
+const std::string release_held = "exec 8</dev/fd/9 9<&-; cat <&8 >/dev/null & exec 8<&-; wait $pid";
 
 }  // namespace twrench

@@ -214,6 +214,30 @@ TEST(Interior, IsPlottedAndExportedWithoutFlips) {
   EXPECT_EQ(run_twrench(folder, "export -o a.json" + words).code, 0);
 }
 
+TEST(Interior, StudyNamesItsReference) {
+  const ScratchFolder folder;
+  const std::string words =
+      "study --inertia 3,4,5 --omega 0.01,1,0.02 --duration 20 --wheel 0,1,0 ";
+  const Outcome text = run_twrench(folder, words);
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("methods compared with taylor at tolerance 1e-15, because"));
+  EXPECT_THAT(text.out, Not(HasSubstr("exact:")));
+  for (const auto& [loss, flips] :
+       {std::pair("", "of taylor: "), std::pair("--energy-loss-time 30", "not counted")}) {
+    EXPECT_THAT(run_twrench(folder, words + loss).out, HasSubstr(flips));
+  }
+  const Outcome exact = run_twrench(folder, words + "--methods rk4,exact");
+  EXPECT_EQ(exact.code, 2);
+  EXPECT_THAT(exact.err, HasSubstr("method exact: there is no closed form"));
+  const json document = json::parse(run_twrench(folder, words + "--format json").out);
+  EXPECT_EQ(document["reference"], "taylor");
+  EXPECT_EQ(run_twrench(folder, words + "--max-error 1e-12 --methods rk4 --steps 0.5").code, 1);
+  EXPECT_EQ(run_twrench(folder, words + "--energy-loss-time 30 --plot p.svg").code, 0);
+  // A symmetric body with its wheel along the axis has a closed form.
+  EXPECT_THAT(run_twrench(folder, "study --inertia 2,2,3 --wheel 0,0,1 --duration 9").out,
+              HasSubstr("methods compared with the exact solution"));
+}
+
 TEST(Interior, IsRefusedInOneLineByCommandsThatNeedARigidBody) {
   const ScratchFolder folder;
   std::ofstream(folder / "wheel.toml")
@@ -231,7 +255,7 @@ TEST(Interior, IsRefusedInOneLineByCommandsThatNeedARigidBody) {
     for (const auto& [command, what] :
          {std::pair("page --template t.html -o p.html ", "a page"),
           std::pair("report -o r.md ", "a report"), std::pair("export -o a.glb ", "a glTF model"),
-          std::pair("export -o a.aem ", "an attitude ephemeris"), std::pair("study ", "a study"),
+          std::pair("export -o a.aem ", "an attitude ephemeris"),
           std::pair("check run.csv --scene ", "a check")}) {
       const Outcome run = run_twrench(folder, std::string(command) + scene);
       EXPECT_EQ(run.code, 2) << command << scene << "\n" << run.err;
@@ -254,25 +278,28 @@ TEST(Interior, IsDrawnWithoutWhatOnlyARigidBodyHas) {
       "render dzhanibekov --wheel 100,0,0 --energy-loss-time 40 --size 64x48 --progress none "
       "--frames 0,30,200 --no-video --frames-dir f ";
   for (const auto& [options, message] :
-       {std::pair("", "show: sphere can be shown only of a rigid body"),
-        std::pair("--hide sphere --show drift,tilt",
-                  "show: drift,tilt can be shown only of a rigid body"),
-        std::pair("--view momentum", "view: momentum can be shown only of a rigid body"),
-        std::pair("--compare rk4,rkmk4", "compare: methods side by side can be shown only"),
-        std::pair("--compare-omega '1,0,0;0,1,0'", "compare_omega: motions side by side")}) {
+       {std::pair("--show drift,tilt", "show: drift,tilt can be shown only of a rigid body"),
+        std::pair("--show poinsot", "show: poinsot can be shown only of a rigid body"),
+        std::pair("--view poinsot", "view: poinsot can be shown only of a rigid body"),
+        std::pair("--view quad", "view: quad can be shown only of a rigid body")}) {
     const Outcome run = run_twrench(folder, film + options);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_THAT(run.err, HasSubstr(message));
     EXPECT_FALSE(exists(folder / "f")) << options;
   }
-  std::ofstream(folder / "shots.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
-                                          "[[shot]]\nlength = 1\n[shot.motion]\n"
-                                          "wheel = [0, 0, 1]\n";
+  std::ofstream(folder / "shots.toml")
+      << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
+         "[[shot]]\nlength = 1\n[shot.motion]\n"
+         "wheel = [0, 0, 1]\n[shot.overlay]\nshow = [\"forces\"]\n";
   const Outcome shots = run_twrench(folder, "render shots.toml -o f.mp4");
   EXPECT_EQ(shots.code, 2);
-  EXPECT_THAT(shots.err, HasSubstr("show: sphere can be shown only of a rigid body"));
+  EXPECT_THAT(shots.err, HasSubstr("show: forces can be shown only of a rigid body"));
 
-  ASSERT_EQ(run_twrench(folder, film + "--hide sphere").code, 0);
+  for (const std::string options :
+       {"--view momentum", "--compare rk4,rkmk4", "--compare-omega '1,0,0;0,1,0'"}) {
+    EXPECT_EQ(run_twrench(folder, film + options + " --overwrite").code, 0) << options;
+  }
+  ASSERT_EQ(run_twrench(folder, film + "--overwrite").code, 0);
   const json manifest = json::parse(text_of(folder / "f/manifest.json"));
   std::string times;
   for (const json& frame : manifest["frames"]) {
@@ -286,6 +313,52 @@ TEST(Interior, IsDrawnWithoutWhatOnlyARigidBodyHas) {
     EXPECT_LE((matrix_of(manifest["frames"][i]["X"]) - matrix_of(expected[i]["X"])).norm(), 1e-12);
   }
   EXPECT_EQ(manifest["scene"]["motion"]["energy_loss_time"], 40);
+}
+
+TEST(Interior, WheelsAreShownSideBySide) {
+  const ScratchFolder folder;
+  const std::string film =
+      "render dzhanibekov --size 96x48 --progress none --frames 0,600 --no-video --frames-dir f ";
+  const std::string wheels = "--compare-wheel '0,0,0;900,0,0' ";
+  ASSERT_EQ(run_twrench(folder, film + wheels).code, 0);
+  const json frames = json::parse(text_of(folder / "f/manifest.json"))["frames"];
+  EXPECT_GT(frames[1]["flips"], 0);  // of the body without a wheel
+  const std::pair<const char*, const char*> refused[] = {
+      {"--compare rk4,rkmk4", "compare_wheel: cannot be combined with compare"},
+      {"--compare-omega 1,0,0", "compare_omega: cannot be combined with compare_wheel"},
+      {"--view momentum", "compare_wheel: the view 'momentum' shows only one motion"},
+      {"--show forces", "show: forces can be shown only of a rigid body"},
+      {"--method exact", "method exact: there is no closed form"}};
+  for (const auto& [options, message] : refused) {
+    const Outcome run = run_twrench(folder, film + "--overwrite " + wheels + options);
+    EXPECT_EQ(run.code, 2) << options;
+    EXPECT_THAT(run.err, HasSubstr(message));
+  }
+  for (const char* value : {"1,2", "1e300,0,0", "1,0,0;2,0,0;3,0,0;4,0,0;5,0,0", "x"}) {
+    const Outcome run = run_twrench(folder, film + "--compare-wheel '" + value + "'");
+    EXPECT_EQ(run.code, 2) << value;
+    EXPECT_THAT(run.err, HasSubstr("--compare-wheel: "));
+  }
+}
+
+/// The middle axis of the T-handle is steady with a little more than the threshold, and not with a
+/// little less.
+TEST(Interior, InertiaPrintsHowMuchWheelHoldsTheMiddleAxis) {
+  const ScratchFolder folder;
+  const json unstable =
+      json::parse(run_twrench(folder, "inertia t-handle --format json").out)["stability"][1];
+  const double wheel = 9 * unstable["stabilizing_wheel"].get<double>();
+  EXPECT_THAT(run_twrench(folder, "inertia t-handle").out,
+              HasSubstr(fmt::format("a wheel along x with more than {:.4g} g cm^2/s", wheel / 9)));
+  for (const auto& [factor, is_steady] : {std::pair(0.97, false), std::pair(1.03, true)}) {
+    double least = 9;
+    for (const json& sample : samples(
+             folder, fmt::format("t-handle --omega 9,1e-3,0 --duration 20 --fps 60 --wheel {},0,0",
+                                 factor * wheel))) {
+      least = std::min(least, vector_of(sample["omega"])[0]);
+    }
+    EXPECT_EQ(least > 8.99, is_steady) << factor;
+  }
 }
 
 TEST(Interior, NamesTheOptionOrThePlaceOfAWrongValue) {

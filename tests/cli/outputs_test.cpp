@@ -155,11 +155,10 @@ TEST(Outputs, AShardIsOneRunsAtATime) {
   const ScratchFolder folder;
   const std::string shards = "--size 160x90 --fps 10 --frames-dir f ";
   const std::string other = "\"$TWRENCH\" render --progress none " + shards;
-  const Outcome run =
-      run_shell(folder, start_held(shards + "--shard 1/9", "f") + other +
-                            "--shard 1/9; echo same $?; " + other +
-                            "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " + other +
-                            "--shard 1/9 --resume; echo after $?");
+  const Outcome run = run_shell(
+      folder, start_held(shards + "--shard 1/9", "f") + other + "--shard 1/9; echo same $?; " +
+                  other + "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " + other +
+                  "--shard 1/9 --resume; echo after $?");
   EXPECT_EQ(run.out, "same 5\nother 0\nafter 0\n") << run.err;
   EXPECT_THAT(run.err, HasSubstr("manifest.0001-of-0009.json: another run is writing it"));
 }
@@ -291,7 +290,7 @@ TEST(Hostile, AManifestThatDoesNotEnd) {
        {"ln -s /dev/zero f/manifest.json", "mkfifo f/manifest.json",
         "{ printf '{\"version\": \"'; truncate -s 6G /dev/stdout; } >f/manifest.json"}) {
     ASSERT_EQ(run_shell(folder, std::string("rm -f f/manifest.json; ") + manifest).code, 0);
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // they reserve all memory
+#if defined(TWRENCH_SANITIZED)  // they reserve all memory
     const std::string limit;
 #else
     // Less than the size of the manifest. The limit is on data, because each thread reserves much

@@ -110,7 +110,7 @@ TEST(Simulate, JsonIsTheLibrarysOwnText) {
   }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers keep freed memory
+#if !defined(TWRENCH_SANITIZED)  // sanitizers keep freed memory
 /// The peak memory of simulating that number of samples, kB.
 long peak_memory(int samples, const std::string& format) {
   const ScratchFolder folder;

@@ -41,7 +41,8 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         "distance": 1.5, "orbit": 0.1, "field_of_view": 0.7, "view": "quad",
         "camera_frame": "body",
         "show": ("floor", "axes"), "stress": ("axes",), "compare": ("rk4", "exact"),
-        "compare_omega": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.5)), "trail_point": (1.0, 2.0, 3.0),
+        "compare_omega": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.5)),
+        "compare_wheel": ((0.0, 0.0, 0.0), (0.0, 20.0, 0.0)), "trail_point": (1.0, 2.0, 3.0),
         "trail_length": 5.0, "font": "mono",
     }  # fmt: skip
     assert other.keys() == keys - {"material"}
@@ -73,11 +74,13 @@ def test_a_scene_with_a_wheel_and_energy_loss(program, tmp_path):
     ]:
         with pytest.raises(twrench.UsageError, match=f"wheel: {what} needs the closed form"):
             refused()
+    show = set(scene.show)
+    scene.show = show | {"plane"}
     for drawn in (lambda: scene.frame(0), lambda: scene.render(tmp_path / "f.mp4")):
-        with pytest.raises(twrench.UsageError, match="show: sphere can be shown only of a rigid"):
+        with pytest.raises(twrench.UsageError, match="show: plane can be shown only of a rigid"):
             drawn()
     assert sorted(file.name for file in tmp_path.iterdir()) == ["a.csv", "b.csv"]
-    scene.show = set(scene.show) - {"sphere"}
+    scene.show = show
     scene.size = (64, 48)
     assert (scene.frame(0) != scene.frame(100)).any()
     for value in (0.01, 0, -1, "soon", [1, 2]):

@@ -138,15 +138,16 @@ TEST(InteriorOfAScene, HasAFilmWithoutWhatOnlyARigidBodyHas) {
   const std::string wheel = "wheel = [0, 0, 1]\n", loss = "energy_loss_time = 50\n";
   const std::string all =
       "[overlay]\nshow = ['floor', 'axes', 'momentum', 'omega', 'trail', 'labels', 'hud', "
-      "'components', 'curve', 'method'";
+      "'components', 'curve', 'method', 'sphere'";
   EXPECT_EQ(refused(wheel + loss + all + "]"), "nothing");
   EXPECT_EQ(refused(wheel + all + ", 'drift']"), "nothing");
   EXPECT_THAT(refused(loss + all + ", 'drift']"), HasSubstr("show: drift can"));
-  for (const std::string feature : {"plane", "sphere", "poinsot", "forces", "tilt", "moments"}) {
+  for (const std::string feature : {"plane", "poinsot", "forces", "tilt", "moments"}) {
     EXPECT_THAT(refused(wheel + all + ", '" + feature + "']"), HasSubstr("show: " + feature));
     EXPECT_EQ(refused(all + ", '" + feature + "']"), "nothing");
   }
-  for (const std::string view : {"momentum", "poinsot", "quad"}) {
+  EXPECT_EQ(refused(loss + "[overlay]\nview = 'momentum'"), "nothing");
+  for (const std::string view : {"poinsot", "quad"}) {
     EXPECT_THAT(refused(loss + "[overlay]\nview = '" + view + "'"), HasSubstr("view: " + view));
   }
 }

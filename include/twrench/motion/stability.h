@@ -37,6 +37,12 @@ struct Stability {
 /// it is one of the three.
 Stability stability(const Eigen::Vector3d& moments, body::PrincipalAxes::Axis axis, double omega);
 
+/// Returns the angular momentum in g cm^2/s of a wheel along the intermediate axis above which a
+/// rotation at `omega` rad/s about that axis is stable, in the same direction: (I3 - I2) omega
+/// (docs/theory.md, "A wheel and energy loss"). Throws OutOfRange and InvalidArgument about
+/// "moments" and "omega" as stability() does.
+double stabilizing_wheel(const Eigen::Vector3d& moments, double omega);
+
 /// The tilt of a body relative to its angular momentum: the angle between L and the principal axis
 /// that is nearest to L at t = 0, or the opposite direction of that axis after a flip.
 class Tilt {

@@ -38,6 +38,11 @@ std::string matrix(const Eigen::Matrix3d& m) {
   return "  " + row(m.row(0)) + "  " + row(m.row(1)) + "  " + row(m.row(2));
 }
 
+bool has_unstable_axis(const body::MassProperties& body) {
+  return motion::stability(body.moments, body::PrincipalAxes::intermediate, 1).kind ==
+         motion::Stability::Kind::unstable;
+}
+
 /// The effect of a tilt, with a line per principal axis in ascending order of the moments. Empty
 /// unless the body is rigid.
 std::string predictions(const body::MassProperties& body, bool is_rigid) {
@@ -45,6 +50,11 @@ std::string predictions(const body::MassProperties& body, bool is_rigid) {
   std::string lines = "a small tilt of its steady rotation\n";
   for (const auto axis : body::PrincipalAxes::all) {
     lines += "  " + scene::prediction({body.moments, body.axes}, axis, 1) + "\n";
+  }
+  if (has_unstable_axis(body)) {
+    lines += fmt::format("  a wheel along {} with more than {:.4g} g cm^2/s makes it stable\n",
+                         scene::axis_name(body.axes, body::PrincipalAxes::intermediate),
+                         motion::stabilizing_wheel(body.moments, 1));
   }
   return lines;
 }
@@ -133,6 +143,7 @@ nlohmann::ordered_json stability_json(const body::MassProperties& body) {
                                  {"rate", stability.rate}};
     if (stability.kind == motion::Stability::Kind::unstable) {
       entry["doubling_time"] = stability.doubling_time();
+      entry["stabilizing_wheel"] = motion::stabilizing_wheel(body.moments, 1);
     } else if (stability.kind == motion::Stability::Kind::stable) {
       entry["period"] = stability.period();
     }

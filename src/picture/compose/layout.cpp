@@ -2,6 +2,11 @@
 
 #include <twrench/base/error.h>
 
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "base/enumeration.h"
 #include "picture/compose/layout_draft.h"
 
@@ -38,13 +43,21 @@ bool is_strip(const image::Area& components) {
 
 Layout compute_layout(const scene::Scene& scene) {
   const scene::Overlay& overlay = scene.overlay;
-  if (!overlay.compare.empty() && !overlay.compare_omega.empty()) {
-    throw InvalidArgument("compare_omega", "cannot be combined with compare",
-                          "compare either methods or initial angular velocities");
+  const std::array<std::pair<const char*, bool>, 3> comparisons{
+      {{"compare_omega", !overlay.compare_omega.empty()},
+       {"compare_wheel", !overlay.compare_wheel.empty()},
+       {"compare", !overlay.compare.empty()}}};
+  std::vector<std::string> compared;
+  for (const auto& [key, is_given] : comparisons) {
+    if (is_given) compared.emplace_back(key);
+  }
+  if (compared.size() > 1) {
+    throw InvalidArgument(compared[0], "cannot be combined with " + compared[1],
+                          "compare methods, initial angular velocities or wheels");
   }
   if (overlay.motion_count() > 1 && overlay.view != scene::View::wrench) {
     throw InvalidArgument(
-        overlay.compare.empty() ? "compare_omega" : "compare",
+        compared[0],
         "the view '" + std::string(enumerator_name(overlay.view)) + "' shows only one motion",
         "use the view 'wrench' to compare motions");
   }

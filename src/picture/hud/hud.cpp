@@ -140,12 +140,18 @@ void Typesetter::add_legend(std::size_t solution) {
   block.add_line(solutions_[solution].name, style_.typeface.strong, 0.85 * layout_.text.title,
                  style_.colors.text, plotted ? &curve : nullptr);
   if (shows(scene::Feature::moments)) add_moment(block, solution);
+  const motion::FreeBody& body = solutions_[solution].body;
   std::vector<Readout> row;
-  if (scene_.overlay.compare_omega.empty()) {
-    row = {figures_.energy_drift(solution), Figures::orthogonality(solution)};
+  if (!scene_.overlay.compare.empty()) {
+    // An energy that is lost is no error.
+    if (body.energy_loss() == 0) row.push_back(figures_.energy_drift(solution));
+    row.push_back(Figures::orthogonality(solution));
   }
-  if (!row.empty() || shows(scene::Feature::hud)) row.push_back(figures_.flips(solution));
-  block.add_readouts(row);
+  const bool has_flips = body.is_rigid();
+  if (has_flips && (!row.empty() || shows(scene::Feature::hud))) {
+    row.push_back(figures_.flips(solution));
+  }
+  if (!row.empty()) block.add_readouts(row);
   add_remark(block, solution);
 }
 
