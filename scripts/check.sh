@@ -44,8 +44,9 @@ test_threads() {
   run_tests tsan --label-regex '^threads$'
 }
 
-# Excludes the bodies of the matrix of commands that take the same paths as others, and the longest of the
-# tests that repeat a computation with other numbers: together a third of the time.
+# Excludes the bodies of the matrix of commands that take the same paths as others, the tests of the numbers
+# in reports, which the matrix also writes, and the longest of the tests that repeat a computation with
+# other numbers: together half of the time.
 test_under_asan() {
   local alike='calm|stable_y|stable_z|explain_nb|t_handle|wing_nut|tennis_racket|phone|book'
   local repeated='Verdict.IsRightOfRandomConventions:Alternatives.AxesOfTheBody'
@@ -54,7 +55,7 @@ test_under_asan() {
   repeated+=':Scenes/Task5.*:Study.SeesTheOrderOfEveryMethod'
   "${launcher[@]}" scripts/build.sh --tests asan
   # Tests that are registered one by one have their own filter.
-  GTEST_FILTER="*-$repeated" run_tests asan --exclude-regex "^Scales/RandomBody|^All/BuiltInScene.*/($alike) "
+  GTEST_FILTER="*-$repeated" run_tests asan --exclude-regex "^Scales/RandomBody|^All/BuiltInScene.*/($alike) |^Report(OfTasks)?[.]"
 }
 
 # start_debian_13: runs its step in a separate process group, which ends with this script.
