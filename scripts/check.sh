@@ -45,7 +45,7 @@ test_threads() {
 }
 
 # Excludes the bodies of the matrix of commands that take the same paths as others, the tests of the numbers
-# in reports, which the matrix also writes, and the longest of the tests that repeat a computation with
+# in reports, which the transcripts also have, and the longest of the tests that repeat a computation with
 # other numbers: together half of the time.
 test_under_asan() {
   local alike='calm|stable_y|stable_z|explain_nb|t_handle|wing_nut|tennis_racket|phone|book'

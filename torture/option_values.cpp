@@ -111,6 +111,8 @@ Values scenes() {
                   "hammer",
                   "toutatis",
                   "explorer-1",
+                  "dual-spin",
+                  "t-handle-wheel",
                   "sound.toml",
                   "moments.toml",
                   "inertia.toml",

@@ -68,10 +68,8 @@ void check_shown_motion(const Scene& film) {
 }
 
 void require_rigid(const Scene& scene, const std::string& what) {
-  if (!is_rigid(scene)) {
-    throw InvalidArgument(scene.motion.wheel              ? "wheel"
-                          : scene.motion.energy_loss_time ? "energy_loss_time"
-                                                          : "compare_wheel",
+  if (!scene.motion.is_rigid()) {
+    throw InvalidArgument(scene.motion.wheel ? "wheel" : "energy_loss_time",
                           what + " needs the closed form of a rigid body's motion",
                           "use a rigid body; simulate computes the motion of any body");
   }

@@ -99,7 +99,7 @@ class Timeline {
  public:
   /// Integrates everything that `frames` (in ascending order of t) need: one motion or, for a
   /// comparison, one per method or initial angular velocity. Another thread can end the integration
-  /// through `stop`, as in StepControl; it may be null. Throws as trajectory() does.
+  /// through `stop`, as in StepControl; it may be null. Throws as motion::integrate() does.
   Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
            const std::atomic<bool>* stop = nullptr);
 

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/motion/exact.h>
+#include <twrench/motion/stability.h>
+#include <twrench/motion/trajectory.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -110,6 +113,28 @@ TEST(Zoo, ExplorerKeepsItsMomentumFromShotToShotAndLosesEnergy) {
   const double turns_a_minute = before.x() / mass_properties(explorer.body).moments[0] * 30.0 / pi;
   EXPECT_NEAR(turns_a_minute, 750.0, 0.1);
   EXPECT_NEAR(2.0 * pi / explorer.shots[2].scene.motion.omega.x(), 5.1, 0.05);
+}
+
+TEST(Zoo, AWheelAboveTheThresholdHoldsTheMiddleAxis) {
+  for (const char* name : {"dual-spin", "t-handle-wheel"}) {
+    const Scene scene = load_scene(name);
+    const std::vector<motion::FreeBody> bodies = shown_bodies(scene);
+    EXPECT_TRUE(bodies[0].is_rigid());
+    const double threshold =
+        motion::stabilizing_wheel(bodies[0].principal().moments, scene.motion.omega.x());
+    std::vector<double> times;
+    for (int i = 0; i <= 960; ++i) times.push_back(scene.motion.duration * i / 960);
+    for (const motion::FreeBody& body : bodies) {
+      double least = 1;  // component of the body's x axis along space x
+      for (const motion::Sample& sample :
+           motion::integrate(body, motion::find_method("taylor"), {}, times).samples) {
+        least = std::min(least, sample.X(0, 0));
+      }
+      const double wheel = body.interior().wheel.x();
+      EXPECT_EQ(least < -0.99, wheel == 0) << name;
+      EXPECT_EQ(least > 0.99, wheel > threshold) << name;
+    }
+  }
 }
 
 }  // namespace
