@@ -94,12 +94,13 @@ std::size_t encode(const fs::path& folder, const fs::path& path,
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     int frames = 0;
     const auto report = progress_for(progress, stop);
-    video::encode_frames(folder, output,
-                         allow_missing ? video::Missing::leave_out : video::Missing::refuse,
-                         [&](int done, int total) {
-                           frames = total;
-                           report(done, total);
-                         });
+    video::encode_frames(
+        folder, output,
+        allow_missing ? video::MissingFrames::leave_out : video::MissingFrames::refuse,
+        [&](int done, int total) {
+          frames = total;
+          report(done, total);
+        });
     return static_cast<std::size_t>(frames);
   });
 }

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/lines.h"
+#include "mesh/line_reader.h"
 #include "mesh/polygon.h"
 
 namespace twrench::mesh {
@@ -38,7 +38,7 @@ class ObjReader {
     const double x = lines_.number(), y = lines_.number(), z = lines_.number();
     mesh_.vertices.emplace_back(x, y, z);
     // Three more numbers are a colour. A single one is a weight, which only affects curves.
-    Lines rest = lines_;
+    LineReader rest = lines_;
     if (rest.word().empty() || rest.word().empty()) return;
     mesh_.colors.resize(mesh_.vertices.size(), white);
     for (float& component : mesh_.colors.back()) {
@@ -95,7 +95,7 @@ class ObjReader {
     std::string word;
   };
 
-  Lines lines_;
+  LineReader lines_;
   body::TriangleMesh mesh_;
   std::vector<std::uint32_t> ring_;
   Polygons polygons_;

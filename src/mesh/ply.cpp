@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "mesh/binary.h"
-#include "mesh/lines.h"
+#include "mesh/line_reader.h"
 #include "mesh/ply_header.h"
 #include "mesh/polygon.h"
 
@@ -27,7 +27,7 @@ system::FileError cut_off(const std::string& name, const std::string& why) {
 /// Reads the numbers that follow the header, one by one.
 class PlyNumbers {
  public:
-  PlyNumbers(std::string name, PlyHeader::Format format, Lines lines)
+  PlyNumbers(std::string name, PlyHeader::Format format, LineReader lines)
       : name_(std::move(name)), format_(format), lines_(std::move(lines)), bytes_(lines_.rest()) {}
 
   bool is_text() const { return format_ == PlyHeader::Format::text; }
@@ -77,7 +77,7 @@ class PlyNumbers {
 
   std::string name_;
   PlyHeader::Format format_;
-  Lines lines_;
+  LineReader lines_;
   std::string_view bytes_;
 };
 
@@ -259,7 +259,7 @@ class PlyReader {
   }
 
   std::string name_;
-  Lines lines_;
+  LineReader lines_;
   PlyHeader header_;
   PlyNumbers numbers_;
   std::uint64_t vertex_count_ = 0;

@@ -30,7 +30,7 @@ constexpr std::array type_names{TypeName{PlyType::int8, "char", "int8", 1},
                                 TypeName{PlyType::float64, "double", "float64", 8}};
 static_assert(has_row_for_each(type_names, &TypeName::type));
 
-PlyType read_type(Lines& lines) {
+PlyType read_type(LineReader& lines) {
   const std::string_view word = lines.word();
   for (const TypeName& known : type_names) {
     if (word == known.name || word == known.other_name) return known.type;
@@ -38,7 +38,7 @@ PlyType read_type(Lines& lines) {
   throw lines.bad(fmt::format("{} is no type of PLY", shown(word)));
 }
 
-PlyHeader::Format read_format(Lines& lines) {
+PlyHeader::Format read_format(LineReader& lines) {
   const std::string_view word = lines.word();
   if (word == "ascii") return PlyHeader::Format::text;
   if (word == "binary_little_endian") return PlyHeader::Format::little_endian;
@@ -46,7 +46,7 @@ PlyHeader::Format read_format(Lines& lines) {
   throw lines.bad(fmt::format("{} is no format of PLY", shown(word)));
 }
 
-PlyElement read_element(Lines& lines) {
+PlyElement read_element(LineReader& lines) {
   PlyElement element;
   element.name = lines.word();
   const std::string_view count = lines.word();
@@ -56,9 +56,9 @@ PlyElement read_element(Lines& lines) {
   throw lines.bad(fmt::format("{} is no number of elements", shown(count)));
 }
 
-PlyProperty read_property(Lines& lines) {
+PlyProperty read_property(LineReader& lines) {
   PlyProperty property;
-  Lines after = lines;
+  LineReader after = lines;
   if (after.word() == "list") {
     lines = after;
     property.count_type = read_type(lines);
@@ -74,7 +74,7 @@ std::size_t size_of(PlyType type) {
   return std::ranges::find(type_names, type, &TypeName::type)->bytes;
 }
 
-PlyHeader read_ply_header(Lines& lines) {
+PlyHeader read_ply_header(LineReader& lines) {
   PlyHeader header;
   bool has_format = false;
   lines.next();

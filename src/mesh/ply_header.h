@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/lines.h"
+#include "mesh/line_reader.h"
 
 namespace twrench::mesh {
 
@@ -36,6 +36,6 @@ struct PlyHeader {
 };
 
 /// Reads the header and leaves the lines that follow it. Throws system::FileError if it is damaged.
-PlyHeader read_ply_header(Lines& lines);
+PlyHeader read_ply_header(LineReader& lines);
 
 }  // namespace twrench::mesh

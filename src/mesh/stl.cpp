@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 #include "mesh/binary.h"
-#include "mesh/lines.h"
+#include "mesh/line_reader.h"
 
 namespace twrench::mesh {
 namespace {
@@ -58,7 +58,7 @@ Content read_binary(const Source& source) {
 
 /// Returns the next word of the line in lower case, because some programs write keywords in
 /// capitals.
-std::string keyword(Lines& lines) {
+std::string keyword(LineReader& lines) {
   std::string word(lines.word());
   std::ranges::transform(word, word.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -130,7 +130,7 @@ class TextReader {
   }
 
   std::string name_;
-  Lines lines_;
+  LineReader lines_;
   std::string keyword_;
   body::TriangleMesh mesh_;
 };
@@ -138,7 +138,7 @@ class TextReader {
 /// Returns whether the file begins as a text file: "solid" and a name, then a line with "facet" or
 /// "endsolid".
 bool begins_as_text(std::string_view bytes) {
-  Lines lines("", bytes.substr(0, 4096));
+  LineReader lines("", bytes.substr(0, 4096));
   if (!lines.next() || keyword(lines) != "solid") return false;
   while (lines.next()) {
     const std::string word = keyword(lines);
@@ -150,7 +150,7 @@ bool begins_as_text(std::string_view bytes) {
 /// Returns whether the file begins with "solid" and has no NUL in its first bytes, unlike a binary
 /// file, whose triangle count contains one.
 bool is_text(std::string_view bytes) {
-  Lines lines("", bytes);
+  LineReader lines("", bytes);
   return lines.next() && keyword(lines) == "solid" &&
          bytes.substr(0, 4096).find('\0') == std::string_view::npos;
 }

@@ -36,8 +36,8 @@ std::vector<double> motion_times(const scene::Scene& film);
 class FilmTimeline {
  public:
   /// Integrates everything that `frames` (ascending numbers) need. Another thread can end the
-  /// integration through `stop`, as in StepControl; it may be null. Throws as motion::integrate() does,
-  /// and InvalidArgument as check_shown_motion() does.
+  /// integration through `stop`, as in StepControl; it may be null. Throws as motion::integrate()
+  /// does, and InvalidArgument as check_shown_motion() does.
   FilmTimeline(const scene::Scene& film, const std::vector<int>& frames,
                const std::atomic<bool>* stop = nullptr);
 

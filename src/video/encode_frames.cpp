@@ -159,11 +159,11 @@ VideoFormat format_of(const Manifest& manifest, const VideoOutput& output, bool 
 }  // namespace
 
 std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoOutput& output,
-                               Missing when_missing,
+                               MissingFrames when_missing,
                                const std::function<void(int done, int total)>& progress) {
   Manifest manifest = read_manifests(folder);
   std::vector<int> missing = missing_frames(manifest, folder);
-  const bool some_left = !manifest.frames.empty() && when_missing == Missing::leave_out;
+  const bool some_left = !manifest.frames.empty() && when_missing == MissingFrames::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
   require_no_input(output.path, folder, manifest);
   std::vector<int> shown(manifest.frames.size());

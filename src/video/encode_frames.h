@@ -11,7 +11,7 @@
 namespace twrench::video {
 
 /// How to treat missing frames of the range.
-enum class Missing { refuse, leave_out };
+enum class MissingFrames { refuse, leave_out };
 
 /// The destination and the options of a video.
 struct VideoOutput {
@@ -35,7 +35,7 @@ struct VideoOutput {
 /// OverwriteError if the output is a file of the folder, or another film that must not be
 /// overwritten; and as VideoEncoder does.
 std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoOutput& output,
-                               Missing missing,
+                               MissingFrames missing,
                                const std::function<void(int done, int total)>& progress);
 
 }  // namespace twrench::video

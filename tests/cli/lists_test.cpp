@@ -27,10 +27,10 @@ TEST(Lists, ScenesOneALine) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "scenes");
   EXPECT_EQ(run.code, 0);
-  for (const char* name : {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk",
-                           "explain", "explain-nb", "t-handle", "wing-nut", "tennis-racket",
-                           "phone", "book", "hammer", "toutatis", "explorer-1",
-                           "dual-spin", "t-handle-wheel"}) {
+  for (const char* name :
+       {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk", "explain",
+        "explain-nb", "t-handle", "wing-nut", "tennis-racket", "phone", "book", "hammer",
+        "toutatis", "explorer-1", "dual-spin", "t-handle-wheel"}) {
     EXPECT_THAT("\n" + run.out, ContainsRegex(std::string("\n") + name + " +[A-Z]"));
   }
 }

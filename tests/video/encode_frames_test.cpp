@@ -59,7 +59,7 @@ std::filesystem::path draw(const ScratchFolder& scratch, const std::string& rang
 std::vector<int> encode_and_count(const std::filesystem::path& folder,
                                   const std::filesystem::path& film) {
   std::vector<int> heard;
-  encode_frames(folder, {film}, Missing::refuse,
+  encode_frames(folder, {film}, MissingFrames::refuse,
                 [&heard](int done, int) { heard.push_back(done); });
   return heard;
 }
@@ -106,14 +106,14 @@ TEST(EncodeFrames, LeavesMissingFramesOutWhereItMay) {
   const auto frames = draw(scratch, "0-9", "0-4,8");
   std::filesystem::remove(frames / "frame_000002.png");
   const auto film = scratch / "film.mp4";
-  EXPECT_THAT(encode_frames(frames, {film}, Missing::leave_out,
+  EXPECT_THAT(encode_frames(frames, {film}, MissingFrames::leave_out,
                             [](int, int total) { EXPECT_EQ(total, 5); }),
               ElementsAre(2, 5, 6, 7, 9));
   EXPECT_TRUE(std::filesystem::exists(film));
   std::filesystem::remove_all(frames);
   draw(scratch, "0-9", "0");
   std::filesystem::remove(frames / "frame_000000.png");
-  EXPECT_THROW(encode_frames(frames, {film}, Missing::leave_out, [](int, int) {}),
+  EXPECT_THROW(encode_frames(frames, {film}, MissingFrames::leave_out, [](int, int) {}),
                system::FileError)
       << "a film of nothing";
 }
@@ -157,7 +157,7 @@ TEST(EncodeFrames, RefusesTransparentFramesThatTheContainerCannotKeep) {
   records[1].frame = 1;
   write(records, 4);
   EXPECT_THAT(failure<InvalidArgument>(scratch).remedy(), HasSubstr(".mov or .webm"));
-  encode_frames(scratch / "frames", {scratch / "film.mov", Container::mov}, Missing::refuse,
+  encode_frames(scratch / "frames", {scratch / "film.mov", Container::mov}, MissingFrames::refuse,
                 [](int, int total) { EXPECT_EQ(total, 2); });
   EXPECT_TRUE(std::filesystem::exists(scratch / "film.mov"));
   write(records, 3);

@@ -51,7 +51,7 @@ void encode(const EncodeOptions& options) {
   Progress progress(options.progress);
   const std::vector<int> left_out = video::encode_frames(
       options.folder, output,
-      options.allow_missing ? video::Missing::leave_out : video::Missing::refuse,
+      options.allow_missing ? video::MissingFrames::leave_out : video::MissingFrames::refuse,
       [&](int done, int total) { progress.update(done, total); });
   progress.finish();
   if (left_out.empty()) return;

@@ -102,19 +102,20 @@ Resolution Digits::written_resolution(double unit) const {
   const bool is_short = significant_ < digits_of_double;
   if (is_narrow) {
     const bool is_half = float16_.holds_all();
-    resolution.written = is_half ? Written::float16 : Written::float32;
+    resolution.written = is_half ? NumberFormat::float16 : NumberFormat::float32;
     resolution.relative = std::ldexp(1.0, is_half ? -10 : -23);
   } else if (is_short && !has_fixed_decimals()) {
-    resolution.written = Written::digits;
+    resolution.written = NumberFormat::digits;
     resolution.count = significant_;
     resolution.relative = std::pow(10.0, 1 - significant_);
     resolution.base = 10;
   } else if (is_short && decimals_ > std::numeric_limits<int>::min()) {
-    resolution.written = Written::decimals;
+    resolution.written = NumberFormat::decimals;
     resolution.count = decimals_;
   }
   // A narrow format may be printed with fewer decimals than it needs.
-  const bool has_last_place = resolution.written == Written::decimals || (is_narrow && is_short);
+  const bool has_last_place =
+      resolution.written == NumberFormat::decimals || (is_narrow && is_short);
   if (has_last_place) resolution.absolute = unit * unit_of_place(decimals_);
   return resolution;
 }

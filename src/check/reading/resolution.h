@@ -5,12 +5,12 @@
 namespace twrench::check {
 
 /// How the numbers of a column are written.
-enum class Written { decimals, digits, float16, float32, float64 };
+enum class NumberFormat { decimals, digits, float16, float32, float64 };
 
 /// How precisely the written digits of a column determine its numbers: the spacing of the values
 /// that it can represent.
 struct Resolution {
-  Written written = Written::float64;
+  NumberFormat written = NumberFormat::float64;
   int count = 0;           ///< number of the decimals or digits
   bool converted = false;  ///< `count` excludes digits that a conversion of the unit added
 

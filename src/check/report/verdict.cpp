@@ -313,15 +313,15 @@ bool passes(const CheckedFile& file) {
 std::string precision_text(const Resolution& resolution) {
   const std::string before = resolution.converted ? " before a change of the unit" : "";
   switch (resolution.written) {
-    case Written::decimals:
+    case NumberFormat::decimals:
       return fmt::format("{} decimals{}", resolution.count, before);
-    case Written::digits:
+    case NumberFormat::digits:
       return fmt::format("{} significant digits{}", resolution.count, before);
-    case Written::float16:
+    case NumberFormat::float16:
       return "float16 (11 bits)";
-    case Written::float32:
+    case NumberFormat::float32:
       return "float32 (24 bits)";
-    case Written::float64:
+    case NumberFormat::float64:
       return "all digits of a double";
   }
   return {};

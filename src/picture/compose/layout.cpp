@@ -63,12 +63,12 @@ Layout compute_layout(const scene::Scene& scene) {
   }
   Parts parts = parts_of(scene.overlay);
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    for (const Words words : {Words::with_insets, Words::with_body}) {
-      if (auto layout = LayoutDraft(scene, parts, words).finish()) return *layout;
+    for (const TextPlacement placement : {TextPlacement::with_insets, TextPlacement::with_body}) {
+      if (auto layout = LayoutDraft(scene, parts, placement).finish()) return *layout;
     }
     *part = false;
   }
-  return *LayoutDraft(scene, parts, Words::with_body).finish();
+  return *LayoutDraft(scene, parts, TextPlacement::with_body).finish();
 }
 
 }  // namespace twrench::picture

@@ -24,11 +24,12 @@ int shorter(const image::Area& area) { return std::min(area.width, area.height);
 
 }  // namespace
 
-LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts, Words words)
+LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts,
+                         TextPlacement text_placement)
     : scene_(scene),
       overlay_(scene.overlay),
       parts_(parts),
-      words_(words),
+      text_placement_(text_placement),
       picture_{0, 0, scene.film.width, scene.film.height},
       gap_(std::max(4, shorter(picture_) / 40)),
       rest_(picture_),
@@ -37,7 +38,7 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts, Words wo
   layout_.text = {std::max(12.0, 0.040 * side), std::max(10.0, 0.026 * side),
                   std::max(9.0, 0.0185 * side)};
   layout_.compact = side < 300;
-  if (layout_.compact) words_ = Words::with_body;
+  if (layout_.compact) text_placement_ = TextPlacement::with_body;
   const int x = static_cast<int>(std::ceil(safe_margin * picture_.width));
   const int y = static_cast<int>(std::ceil(safe_margin * picture_.height));
   safe_ = {x, y, picture_.width - 2 * x, picture_.height - 2 * y};
@@ -143,7 +144,7 @@ bool LayoutDraft::is_safe(const image::Area& area) const {
 }
 
 /// Returns whether every line of text shows more than an ellipsis.
-bool LayoutDraft::has_room_for_words() const {
+bool LayoutDraft::has_room_for_text() const {
   const double title = layout_.text.title, readout = layout_.text.readout;
   const double corner = single() ? 0 : 6 * readout;
   const auto room = [&](const image::Area& area, double width) {
@@ -178,11 +179,11 @@ bool LayoutDraft::has_room() const {
   };
   return std::ranges::all_of(layout_.panes, enough) && std::ranges::all_of(layout_.insets, room) &&
          (!layout_.components || holds_components(*layout_.components)) &&
-         (!layout_.curve || holds_curve(*layout_.curve)) && has_room_for_words();
+         (!layout_.curve || holds_curve(*layout_.curve)) && has_room_for_text();
 }
 
 std::optional<Layout> LayoutDraft::finish() {
-  place_words_and_insets();
+  place_text_and_insets();
   place_views();
   const bool anything = std::ranges::find(parts_, true) != parts_.end();
   if (anything && !has_room()) return std::nullopt;

@@ -20,13 +20,13 @@ inline constexpr int least_square = 96;
 
 /// The placement of title and readouts in a picture that is not long: with the insets, which makes
 /// the body larger, or above and below the body, which leaves more room for the insets.
-enum class Words { with_insets, with_body };
+enum class TextPlacement { with_insets, with_body };
 
 /// A layout in progress. Pieces are cut from `rest_`, the free area, and the views get the
 /// remainder.
 class LayoutDraft {
  public:
-  LayoutDraft(const scene::Scene& scene, const Parts& parts, Words words);
+  LayoutDraft(const scene::Scene& scene, const Parts& parts, TextPlacement text_placement);
 
   /// Returns nothing if something does not fit.
   std::optional<Layout> finish();
@@ -52,12 +52,12 @@ class LayoutDraft {
   void place_caption();
 
   // Title, readouts and insets: layout_insets.cpp.
-  void place_words_and_insets();
+  void place_text_and_insets();
   double title_height(int width) const;
   int rows_of_readouts(const image::Area& column) const;
   void place_title(image::Area& column);
   void place_readouts(image::Area& column);
-  void place_words(image::Area& column);
+  void place_text(image::Area& column);
   void place_column();
   void place_block();
   void place_in_line();
@@ -87,7 +87,7 @@ class LayoutDraft {
   image::Area beside_focus(image::Area area) const;
 
   bool is_safe(const image::Area& area) const;
-  bool has_room_for_words() const;
+  bool has_room_for_text() const;
   bool holds_components(const image::Area& area) const;
   bool holds_curve(const image::Area& area) const;
   bool has_room() const;
@@ -95,7 +95,7 @@ class LayoutDraft {
   const scene::Scene& scene_;
   const scene::Overlay& overlay_;
   Parts parts_;
-  Words words_;
+  TextPlacement text_placement_;
   image::Area picture_;
   image::Area safe_;
   int gap_;

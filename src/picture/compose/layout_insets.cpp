@@ -19,7 +19,7 @@ constexpr double block_height = 0.27;      // of the picture's height
 constexpr double most_strip = 0.28;        // of the height of the panes of a comparison
 constexpr int least_pair = 80;             // px, the side of each of two squares in a row
 constexpr int least_column = 150;          // px
-constexpr double words_width = 28;         // em of the readouts: the text in a long picture
+constexpr double text_width = 28;          // em of the readouts: the text in a long picture
 constexpr double readouts_width = 12;      // em, of time and flips in a row
 constexpr double drift_width = 7;          // em
 constexpr double least_description = 12;   // em of the readouts, the width of a description
@@ -50,7 +50,7 @@ std::vector<LayoutDraft::Inset> LayoutDraft::shown(std::vector<Inset> insets) co
   return insets;
 }
 
-void LayoutDraft::place_words_and_insets() {
+void LayoutDraft::place_text_and_insets() {
   const bool insets = !shown_views().empty() || parts_[components_part] || parts_[curve_part];
   if (!single()) {
     place_title(rest_);
@@ -58,7 +58,7 @@ void LayoutDraft::place_words_and_insets() {
   } else if (is_long()) {
     place_in_line();
   } else if (!insets && !(shows_no_body() && explains())) {
-    place_words(rest_);
+    place_text(rest_);
   } else if (upright()) {
     place_block();
   } else {
@@ -102,7 +102,7 @@ void LayoutDraft::place_readouts(image::Area& column) {
   layout_.readouts = cut_bottom(column, whole(rows + remark), gap_);
 }
 
-void LayoutDraft::place_words(image::Area& column) {
+void LayoutDraft::place_text(image::Area& column) {
   place_title(column);
   place_readouts(column);
 }
@@ -113,8 +113,8 @@ void LayoutDraft::place_column() {
   const double width = std::min(column_width * picture_.width, 0.5 * picture_.height);
   image::Area column = cut_right(
       rest_, std::max(whole(width), std::min(least_column, picture_.width / 3)), 2 * gap_);
-  const bool aside = words_ == Words::with_insets || shows_no_body();
-  place_words(aside ? column : rest_);
+  const bool aside = text_placement_ == TextPlacement::with_insets || shows_no_body();
+  place_text(aside ? column : rest_);
   if (shows_no_body()) {
     return place_description(cut_top(
         column, std::min(whole(12 * description_line * layout_.text.readout), column.height), 0));
@@ -143,15 +143,15 @@ void LayoutDraft::place_block() {
     place_readouts(corner);
     return place_description(block);
   }
-  if (words_ == Words::with_body) place_readouts(rest_);
+  if (text_placement_ == TextPlacement::with_body) place_readouts(rest_);
   const std::vector<Inset> squares = shown_views();
   const std::vector<Inset> plots =
       shown({{components_part, 1 / components_aspect}, {curve_part, 1 / curve_aspect}});
   const auto count = static_cast<int>(squares.size());
-  const double share = count == 0                                    ? 0
-                       : plots.empty() && words_ == Words::with_body ? 1
-                       : count == 1                                  ? 0.44
-                                                                     : 0.6;
+  const double share = count == 0                                                     ? 0
+                       : plots.empty() && text_placement_ == TextPlacement::with_body ? 1
+                       : count == 1                                                   ? 0.44
+                                                                                      : 0.6;
   const int width = whole(share * rest_.width);
   int height = whole(block_height * picture_.height);
   if (count > 0) height = std::min(height, (width + gap_) / count - gap_ + heading_height());
@@ -160,7 +160,7 @@ void LayoutDraft::place_block() {
     const int needed = std::min(width, count * (height - heading_height() + gap_) - gap_);
     place_insets(cut_left(block, needed, 2 * gap_), false, squares);
   }
-  if (words_ == Words::with_insets) place_readouts(block);
+  if (text_placement_ == TextPlacement::with_insets) place_readouts(block);
   place_insets(block, true, plots);
 }
 
@@ -178,11 +178,11 @@ void LayoutDraft::place_in_line() {
   std::ranges::copy(shown({{components_part, components}, {curve_part, curve}}),
                     std::back_inserter(insets));
   if (upright()) {
-    place_words(rest_);
+    place_text(rest_);
   } else if (parts_[title_part] || parts_[readouts_part]) {
-    const double width = std::min(words_width * layout_.text.readout, rest_.width / 3.0);
+    const double width = std::min(text_width * layout_.text.readout, rest_.width / 3.0);
     image::Area column = cut_left(rest_, whole(width), 2 * gap_);
-    place_words(column);
+    place_text(column);
   }
   if (insets.empty()) return;
   double line = gap_ * (static_cast<double>(insets.size()) - 1);

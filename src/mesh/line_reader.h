@@ -9,10 +9,10 @@
 namespace twrench::mesh {
 
 /// Reads a text line by line and each line word by word.
-class Lines {
+class LineReader {
  public:
   /// The text must outlive this object. `name` identifies it in messages.
-  Lines(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
+  LineReader(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
   /// Advances to the next line; returns false if there is none.
   bool next();

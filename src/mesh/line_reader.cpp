@@ -1,4 +1,4 @@
-#include "mesh/lines.h"
+#include "mesh/line_reader.h"
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
@@ -21,7 +21,7 @@ std::string shown(std::string_view text) {
                                 : fmt::format("'{}...'", text.substr(0, longest));
 }
 
-bool Lines::next() {
+bool LineReader::next() {
   if (rest_.empty()) return false;
   const std::size_t end = std::min(rest_.find('\n'), rest_.size());
   line_ = rest_.substr(0, end);
@@ -30,7 +30,7 @@ bool Lines::next() {
   return true;
 }
 
-std::string_view Lines::word() {
+std::string_view LineReader::word() {
   std::size_t begin = 0;
   while (begin < line_.size() && is_blank(line_[begin])) ++begin;
   std::size_t end = begin;
@@ -40,7 +40,7 @@ std::string_view Lines::word() {
   return word;
 }
 
-double Lines::number() {
+double LineReader::number() {
   const std::string_view text = word();
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
   double value = 0.0;
@@ -53,7 +53,7 @@ double Lines::number() {
   throw InvalidArgument(place(), fmt::format("{} is not a finite number", shown(text)));
 }
 
-std::string Lines::place(std::size_t line_number) const {
+std::string LineReader::place(std::size_t line_number) const {
   return fmt::format("{}:{}", name_, line_number);
 }
 
