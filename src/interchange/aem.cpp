@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 #include <twrench/motion/exact.h>
+#include <twrench/motion/propagator.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "scene/interior.h"
 
 namespace twrench::interchange {
 namespace {
@@ -34,7 +33,7 @@ std::string in_ascii(std::string name) {
 // time.
 constexpr const char* head =
     "CCSDS_AEM_VERS = 1.0\n"
-    "COMMENT Written by {generator}: the free rotation of a rigid body, in closed form.\n"
+    "COMMENT Written by {generator}: the free rotation {source}.\n"
     "COMMENT CREATION_DATE is the epoch of the motion, so that the same motion gives the same "
     "file.\n"
     "CREATION_DATE = {start}\n"
@@ -72,14 +71,20 @@ constexpr const char* head =
 void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& generator,
                std::size_t count, const std::function<double(std::size_t)>& time,
                const std::function<void(std::string_view)>& write) {
-  scene::require_rigid(scene, "an attitude ephemeris");
-  const motion::ExactMotion motion(scene::free_body(scene));
+  const motion::FreeBody body = scene::free_body(scene);
+  const motion::Method& method =
+      motion::find_method(motion::ExactMotion::covers(body) ? "exact" : "taylor");
+  const auto motion = motion::make_propagator(body, method, {.tolerance = motion::min_tolerance});
+  const std::string source =
+      body.is_rigid()
+          ? "of a rigid body, in closed form"
+          : fmt::format("of a body with a wheel or energy loss, by the method {}", method.name);
   const double end = time(count - 1);
   const int digits = decimals(end - time(0), count);
   const double in_a_second = std::pow(10.0, digits);
   const auto ticks = [&](double t) { return std::llround(in_a_second * t); };
   write(fmt::format(fmt::runtime(head), fmt::arg("generator", generator),
-                    fmt::arg("name", in_ascii(scene.name)),
+                    fmt::arg("source", source), fmt::arg("name", in_ascii(scene.name)),
                     fmt::arg("start", format_epoch(epoch, ticks(time(0)), digits)),
                     fmt::arg("stop", format_epoch(epoch, ticks(end), digits))));
   Eigen::Quaterniond last = Eigen::Quaterniond::Identity();
@@ -88,7 +93,7 @@ void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& genera
     const std::int64_t instant = ticks(time(i));
     if (instant == written) continue;
     written = instant;
-    Eigen::Quaterniond q(motion.at(static_cast<double>(instant) / in_a_second).X);
+    Eigen::Quaterniond q(motion->sample_at(static_cast<double>(instant) / in_a_second).X);
     if (q.dot(last) < 0) q.coeffs() = -q.coeffs();
     last = q;
     write(fmt::format("{} {:.15f} {:.15f} {:.15f} {:.15f}\n", format_epoch(epoch, instant, digits),

@@ -96,7 +96,7 @@ Vector3d EnergyContours::gradient_along_sphere(const Vector3d& mu) const {
   return g - g.dot(mu) * mu;
 }
 
-/// Where f is at rest, gradient(mu) = lambda mu, so that (d_i - lambda) mu_i = d_i eta_i.
+/// At an equilibrium gradient(mu) = lambda mu, so that (d_i - lambda) mu_i = d_i eta_i.
 void EnergyContours::find_equilibria() {
   const Vector3d c = d_.cwiseProduct(eta_);
   const double scale = std::max(1.0, c.cwiseAbs().maxCoeff());

@@ -32,8 +32,8 @@ class EnergyContours {
   /// Returns f at a direction.
   double energy(const Eigen::Vector3d& mu) const;
 
-  /// Returns all isolated equilibria, of which there are two, four or six, minima first. If the
-  /// wheel is along the axis of a symmetric body, a circle of them about this axis may be omitted.
+  /// Returns all isolated equilibria, minima first. There are two, four or six. If the wheel is
+  /// along the axis of a symmetric body, a circle of them about this axis may be omitted.
   const std::vector<Equilibrium>& equilibria() const { return equilibria_; }
 
   /// Returns the closed curve through a direction; only this point, if it is an equilibrium.

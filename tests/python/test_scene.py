@@ -70,7 +70,6 @@ def test_a_scene_with_a_wheel_and_energy_loss(program, tmp_path):
         (lambda: scene.page(tmp_path / "p.html", template=__file__), "a page"),
         (lambda: scene.report(tmp_path / "r.md"), "a report"),
         (lambda: scene.export(tmp_path / "a.glb"), "a glTF model"),
-        (lambda: scene.export(tmp_path / "a.aem"), "an attitude ephemeris"),
     ]:
         with pytest.raises(twrench.UsageError, match=f"wheel: {what} needs the closed form"):
             refused()
