@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Runs every check of a change: both commands of README.md in a bare Debian 13, the tests of the Python
-# module, the formatting of the sources, the rendering tests with EGL only, the tests of threads under
-# ThreadSanitizer, all tests under AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone
+# Runs every check of a change: both commands of README.md in a bare Debian 13, the formatting of the
+# sources, the rendering tests with EGL only, the tests of threads under ThreadSanitizer, the tests under
+# AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone
 # and used from outside, the reference pages, exported files read by other programs, pages in a browser, the
 # recipes of CONTRIBUTING.md followed in a copy, the tests for uninitialised values under valgrind, and one
 # minute of scripts/torture.sh.
 #
 # Debian 13 is installed and tested beside the other steps: together they use the processors when one
 # of them downloads, waits or has one thread. Its output is printed at the end. The tests of its release
-# build are not repeated here, where they run under the sanitizers. Where no Debian 13 can be installed,
-# scripts/test.sh runs here instead.
+# build, among them those of the Python module, are not repeated here. Where no Debian 13 can be
+# installed, scripts/test.sh runs here instead.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -26,12 +26,6 @@ launcher=()
 run_tests() {
   "${launcher[@]}" ctest --test-dir "build/$1" --output-on-failure --no-tests=error \
     --parallel "$(($(nproc) + 2))" "${@:2}"  # some tests mostly wait
-}
-
-# The tests that the other builds do not have.
-test_python() {
-  scripts/build.sh --tests release twrench twrench_python
-  run_tests release --tests-regex '^(python|schema|scripts)(\.|$)'
 }
 
 draw_over_egl() {
@@ -92,14 +86,13 @@ if [[ $no_debian_13 ]]; then
   step "All tests of the release build" scripts/test.sh
 else
   start_debian_13
-  step "The tests of the Python module" test_python
 fi
 step "The layout of the sources" scripts/lint.sh format
 step "The tests that draw, over EGL alone" draw_over_egl
 step "The tests of the threads, under ThreadSanitizer" test_threads
-step "All tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
+step "The tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
 step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
-  scripts/library.sh
+  scripts/library.sh --quick
 step "The reference pages; warnings are errors" scripts/docs.sh
 step "Exported files, read by other programs" scripts/interchange.sh
 step "Pages, in a browser" scripts/page_test.sh

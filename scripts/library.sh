@@ -5,10 +5,17 @@
 # flags than the library, and tests/library/bad_input.cpp. Projects that contain the sources also build
 # the examples, with g++ and with clang++. Finally it compares the binary interface of the shared
 # library with packaging/abi.
+#   library.sh          builds the programs with each compiler and each set of flags
+#   library.sh --quick  uses each set of flags with one compiler only, in half of the time
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
+mode=${1-}
+if [[ -n $mode && $mode != --quick ]]; then
+  sed -n '/^# /s///p; /^set/q' "$0"
+  [[ $mode == --help ]] && exit 0 || exit 2
+fi
 scripts/setup.sh check
 
 # expect_line TEXT FILE
@@ -137,13 +144,17 @@ programs=$PWD/build/library/programs
 
 # Prints the ways to compile programs, one compiler with its flags per line.
 program_builds() {
-  local compiler flags
-  for compiler in $compilers; do
-    for flags in -O0 '-O2 -ffast-math' '-O2 -march=native' '-O2 -DEIGEN_MAX_ALIGN_BYTES=0'; do
-      echo "$compiler $flags"
-    done
-    # Eigen rejects -mavx512f without -mfma.
-    [[ $(uname -m) != x86_64 ]] || echo "$compiler -O2 -mavx512f -mfma"
+  local compiler flags all
+  all=(-O0 '-O2 -ffast-math' '-O2 -march=native' '-O2 -DEIGEN_MAX_ALIGN_BYTES=0')
+  # Eigen rejects -mavx512f without -mfma.
+  [[ $(uname -m) != x86_64 ]] || all+=('-O2 -mavx512f -mfma')
+  read -ra compiler <<<"$compilers"
+  for flags in "${!all[@]}"; do
+    if [[ $mode == --quick ]]; then
+      echo "${compiler[flags % 2]} ${all[flags]}"
+    else
+      printf '%s\n' "${compiler[@]/%/ ${all[flags]}}"
+    fi
   done
 }
 
@@ -225,16 +236,18 @@ for shared in OFF ON; do
 done
 
 say "the library in projects that contain it"
-# Each compiler with each linkage, each compiler in each way, and each linkage in each way.
 read -r gcc clang <<<"$compilers"
-while read -r compiler shared way; do
+contained=("$gcc ON add_subdirectory")
+if [[ $mode == --quick ]]; then
+  contained+=("$clang OFF FetchContent")
+else
+  # Each compiler with each linkage, each compiler in each way, and each linkage in each way.
+  contained+=("$gcc OFF FetchContent" "$clang OFF add_subdirectory" "$clang ON FetchContent")
+fi
+for project in "${contained[@]}"; do
+  read -r compiler shared way <<<"$project"
   use_sources "$PWD/build/library/contained/$compiler-$shared" "$compiler" "$shared" "$way" </dev/null
-done <<END
-$gcc OFF FetchContent
-$gcc ON add_subdirectory
-$clang OFF add_subdirectory
-$clang ON FetchContent
-END
+done
 
 say "the binary interface of the shared library"
 if [[ $(dpkg --print-architecture 2>/dev/null)-$(g++ -dumpversion) == amd64-12 ]]; then
