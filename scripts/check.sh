@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # Runs every check of a change: both commands of README.md in a bare Debian 13, the formatting of the
 # sources, the rendering tests with EGL only, the tests of threads under ThreadSanitizer, the tests under
-# AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone
-# and used from outside, the reference pages, exported files read by other programs, pages in a browser, the
-# recipes of CONTRIBUTING.md followed in a copy, the tests for uninitialised values under valgrind, and one
-# minute of scripts/torture.sh.
+# AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone and used from outside, pages in a
+# browser, the reference pages, exported files read by other programs, the recipes of CONTRIBUTING.md followed
+# in a copy, the tests for uninitialised values under valgrind, and one minute of scripts/torture.sh.
 #
-# Debian 13 is installed and tested beside the other steps: together they use the processors when one
-# of them downloads, waits or has one thread. Its output is printed at the end. The tests of its release
-# build, among them those of the Python module, are not repeated here. Where no Debian 13 can be
-# installed, scripts/test.sh runs here instead.
+# Debian 13 is installed and tested beside the other steps, and pages beside the library: together they
+# use the processors when one of them downloads, waits or has one thread. Their outputs are printed when
+# they end. The tests of Debian 13's release build, among them those of the Python module, are not repeated
+# here. Where no Debian 13 can be installed, scripts/test.sh runs here instead.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -28,14 +27,20 @@ run_tests() {
     --parallel "$(($(nproc) + 2))" "${@:2}"  # some tests mostly wait
 }
 
+# Also builds what later steps use of the release.
 draw_over_egl() {
-  scripts/build.sh --tests release gl_test draw_test golden_test
+  scripts/build.sh --tests release twrench twrench_python random_views gl_test draw_test golden_test
   TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
 }
 
 test_threads() {
   "${launcher[@]}" scripts/build.sh --tests tsan thread_tests
   run_tests tsan --label-regex '^threads$'
+}
+
+install_packages() {
+  local use
+  for use in check browser docs recipes coverage; do scripts/setup.sh "$use"; done
 }
 
 # Excludes the bodies of the matrix of commands that take the same paths as others, the tests of the numbers
@@ -52,22 +57,25 @@ test_under_asan() {
   GTEST_FILTER="*-$repeated" run_tests asan --exclude-regex "^Scales/RandomBody|^All/BuiltInScene.*/($alike) |^Report(OfTasks)?[.]"
 }
 
-# start_debian_13: runs its step in a separate process group, which ends with this script.
-start_debian_13() {
+declare -A beside  # process of each step that runs beside the others
+# shellcheck disable=SC2154 # process is assigned here
+trap 'for process in "${beside[@]}"; do kill -TERM -- "-$process" 2>/dev/null && wait "$process" || :; done' EXIT
+
+# start_beside NAME TITLE COMMAND...: runs the step in a separate process group, which ends with this script.
+start_beside() {
   require_writable build/check
   set -m
-  step "Both commands of README.md in a bare Debian 13" scripts/distros.sh --commands trixie \
-    </dev/null >build/check/debian-13.log 2>&1 &
+  step "${@:2}" </dev/null >"build/check/$1.log" 2>&1 &
   set +m
-  debian_13=$!
-  trap 'kill -TERM -- "-$debian_13" 2>/dev/null && wait "$debian_13"' EXIT
+  beside[$1]=$!
 }
 
-finish_debian_13() {
+# finish_beside NAME: waits for the step, prints its output, and returns its status.
+finish_beside() {
   local status=0
-  wait "$debian_13" || status=$?
-  trap - EXIT
-  cat build/check/debian-13.log
+  wait "${beside[$1]}" || status=$?
+  unset "beside[$1]"
+  cat "build/check/$1.log"
   return "$status"
 }
 
@@ -80,24 +88,26 @@ fi
 # In a subshell, because scripts/chroot.sh also handles signals.
 no_debian_13=$(source scripts/chroot.sh && reason_against_roots)
 
-step "The packages for the other checks" scripts/setup.sh check
+# All packages, because only one process may install some at a time.
+step "The packages for the other checks" install_packages
 if [[ $no_debian_13 ]]; then
   say "no Debian 13: $no_debian_13"
   step "All tests of the release build" scripts/test.sh
 else
-  start_debian_13
+  start_beside debian-13 "Both commands of README.md in a bare Debian 13" scripts/distros.sh --commands trixie
 fi
 step "The layout of the sources" scripts/lint.sh format
 step "The tests that draw, over EGL alone" draw_over_egl
 step "The tests of the threads, under ThreadSanitizer" test_threads
 step "The tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
+start_beside pages "Pages, in a browser" scripts/page_test.sh  # which mostly waits
 step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
   scripts/library.sh --quick
+finish_beside pages  # which also builds the release
 step "The reference pages; warnings are errors" scripts/docs.sh
 step "Exported files, read by other programs" scripts/interchange.sh
-step "Pages, in a browser" scripts/page_test.sh
 step "The recipes of CONTRIBUTING.md, followed in a copy" scripts/recipes.sh
 step "The core's tests for uninitialised values, under valgrind" scripts/valgrind.sh --quick
 step "Random scenes, motions and command lines, and injected faults: one minute" \
   scripts/torture.sh 1 2020
-[[ $no_debian_13 ]] || finish_debian_13
+[[ $no_debian_13 ]] || finish_beside debian-13
