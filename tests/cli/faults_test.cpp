@@ -96,10 +96,10 @@ TEST(Faults, ADiskTooSmallIsToldBeforeTheFirstFrame) {
 // The estimate cannot foresee this, because another program uses up the space.
 TEST(Faults, ADiskThatFillsUpMidway) {
   const ScratchFolder folder;
-  const Outcome run = run_on_small_disk(folder, "30m",
-                                        "cd d && " + start_held(held_film, "f") +
-                                            "cat /dev/zero >big 2>/dev/null; " + release_held +
-                                            "; code=$?; rm big; cd ..; (exit $code)");
+  const Outcome run =
+      run_on_small_disk(folder, "30m",
+                        "cd d && " + start_held(held_film) + "cat /dev/zero >big 2>/dev/null; " +
+                            release_held + "; code=$?; rm big; cd ..; (exit $code)");
   if (run.code == -1) GTEST_SKIP() << "no file system can be mounted here";
   expect_told(run, 5, "No space left on device");
   count_whole_frames(folder / "after/f");
@@ -160,7 +160,7 @@ TEST(Faults, AManifestThatCannotBeWritten) {
 
 TEST(Faults, TheFolderIsRemovedMidway) {
   const ScratchFolder folder;
-  const Outcome run = run_shell(folder, start_held(held_film, "f") + "mv f g; " + release_held);
+  const Outcome run = run_shell(folder, start_held(held_film) + "mv f g; " + release_held);
   expect_told(run, 5, "No such file or directory");
   EXPECT_EQ(count_temporaries(folder / "g"), 0U);
 }
@@ -169,7 +169,7 @@ TEST(Faults, TheFolderBecomesReadOnlyMidway) {
   const ScratchFolder folder;
   const Outcome run =
       run_on_small_disk(folder, "400m",
-                        "cd d && " + start_held(held_film, "f") +
+                        "cd d && " + start_held(held_film) +
                             "until mount -o remount,bind,ro \"$PWD\" 2>/dev/null; do sleep 0.01; "
                             "done; " +
                             release_held + "; code=$?; cd ..; (exit $code)");
@@ -229,7 +229,7 @@ TEST(Faults, AnOpenGlWithoutACoreProfile) {
 #if !defined(TWRENCH_SANITIZED)  // they report crashes
 TEST(Faults, ACrashIsOneMessage) {
   const ScratchFolder folder;
-  const Outcome run = run_shell(folder, start_held(held_film, "f") + "kill -SEGV $pid; wait $pid");
+  const Outcome run = run_shell(folder, start_held(held_film) + "kill -SEGV $pid; wait $pid");
   expect_told(run, 70, "internal: it crashed");
 }
 #endif

@@ -6,14 +6,15 @@
 namespace twrench {
 
 /// Shell commands that start `render ARGUMENTS` in the background with its number in `$pid`, and
-/// return when it has written `folder`/frame_000000.png. The run then waits, because its standard
-/// output is a full pipe, where it reports its progress.
-inline std::string start_held(const std::string& arguments, const std::string& folder) {
+/// return when it has written f/frame_000000.png. The run then waits, because its standard output
+/// is a full pipe, where it reports its progress.
+inline std::string start_held(const std::string& arguments) {
   return "mkfifo hold; exec 9<>hold; rm hold; "
          "dd if=/dev/zero of=/dev/fd/9 oflag=nonblock bs=4096 2>/dev/null; "
          "env --default-signal=INT \"$TWRENCH\" render " +
-         arguments + " --progress openjd >&9 9<&- & pid=$!; until [ -e " + folder +
-         "/frame_000000.png ]; do sleep 0.01; done; ";
+         arguments +
+         " --progress openjd >&9 9<&- & pid=$!; "
+         "until [ -e f/frame_000000.png ]; do sleep 0.01; done; ";
 }
 
 /// Shell commands that let the run continue and wait for its end. The last status is the run's.

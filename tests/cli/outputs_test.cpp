@@ -141,7 +141,7 @@ TEST(Outputs, AreOneRunsAtATime) {
   const std::string film = "--size 160x90 ";
   const std::string same = "\"$TWRENCH\" render --progress none " + film;
   const Outcome run =
-      run_shell(folder, start_held(film + "-o v.mp4 --frames-dir f", "f") + same +
+      run_shell(folder, start_held(film + "-o v.mp4 --frames-dir f") + same +
                             "--no-frames -o v.mp4; echo film $?; " + same +
                             "--no-video --frames-dir f; echo frames $?; " + same +
                             "--frames-dir f --shard 1/2; echo shard $?; kill -KILL $pid; wait "
@@ -155,10 +155,10 @@ TEST(Outputs, AShardIsOneRunsAtATime) {
   const ScratchFolder folder;
   const std::string shards = "--size 160x90 --fps 10 --frames-dir f ";
   const std::string other = "\"$TWRENCH\" render --progress none " + shards;
-  const Outcome run = run_shell(
-      folder, start_held(shards + "--shard 1/9", "f") + other + "--shard 1/9; echo same $?; " +
-                  other + "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " + other +
-                  "--shard 1/9 --resume; echo after $?");
+  const Outcome run =
+      run_shell(folder, start_held(shards + "--shard 1/9") + other + "--shard 1/9; echo same $?; " +
+                            other + "--shard 9/9; echo other $?; kill -KILL $pid; wait $pid; " +
+                            other + "--shard 1/9 --resume; echo after $?");
   EXPECT_EQ(run.out, "same 5\nother 0\nafter 0\n") << run.err;
   EXPECT_THAT(run.err, HasSubstr("manifest.0001-of-0009.json: another run is writing it"));
 }

@@ -55,7 +55,7 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
   const std::pair<const char*, int> signals[] = {{"INT", 130}, {"TERM", 143}};
   for (const auto& [signal, code] : signals) {
     ScratchFolder folder;
-    const Outcome stopped = run_shell(folder, start_held(long_film, "f") + "kill -" + signal +
+    const Outcome stopped = run_shell(folder, start_held(long_film) + "kill -" + signal +
                                                   " $pid; kill -" + signal + " $pid; wait $pid");
     ASSERT_EQ(stopped.code, code) << stopped.err;
     EXPECT_THAT(stopped.err, HasSubstr(std::string("interrupted by SIG") + signal));
