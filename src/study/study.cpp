@@ -123,20 +123,20 @@ void measure_steps(const motion::FreeBody& body, const motion::Method& method,
   run.estimate = estimate.quality();
 }
 
+/// `reference` has the samples of the reference at the early time and at the end.
 StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
-                 const motion::StepControl& control, const Study& study) {
+                 const motion::StepControl& control, const Study& study,
+                 const std::vector<motion::Sample>& reference) {
   StudyRun run;
   run.step = control.step;
   if (method.adaptive()) run.tolerance = control.tolerance;
   try {
     const std::array<double, 1> early{study.early}, end{study.duration};
-    const auto error = [&](const motion::Sample& sample, std::span<const double> time) {
-      return (sample.X - reference_at(body, time)[0].X).norm();
-    };
     motion::Trajectory result;
     run.cpu_seconds = cpu_seconds([&] { result = motion::integrate(body, method, control, end); });
-    run.early_error = error(motion::integrate(body, method, control, early).samples[0], early);
-    run.error = error(result.samples[0], end);
+    const motion::Sample sample = motion::integrate(body, method, control, early).samples[0];
+    run.early_error = (sample.X - reference[0].X).norm();
+    run.error = (result.samples[0].X - reference[1].X).norm();
     run.steps = result.steps;
     run.evaluations = result.evaluations;
     measure_steps(body, method, control, study, run);
@@ -206,11 +206,13 @@ Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
   result.duration = plan.duration;
   result.early = early_time(plan.duration, body.omega().norm());
   if (result.reference->exact()) result.flips = motion::ExactMotion(body).flips();
+  const std::vector<motion::Sample> reference =
+      reference_at(body, std::array{result.early, result.duration});
   if (has_flips(result)) result.flip_times = reference_flip_times(body, plan.duration);
   for (const motion::Method* method : plan.methods) {
     MethodStudy of_method{method, {}, {}, {}};
     for (const motion::StepControl& control : controls_for(*method, plan)) {
-      of_method.runs.push_back(run_one(body, *method, control, result));
+      of_method.runs.push_back(run_one(body, *method, control, result, reference));
     }
     if (method->order.value_or(steepest + 1) <= steepest) {
       of_method.order = order_of(of_method.runs);
