@@ -43,7 +43,6 @@ void check_interior(const Scene& scene,
                     const std::function<std::string(const std::string& key)>& name_of) {
   if (is_rigid(scene)) return;
   try {
-    free_body(scene);
     shown_bodies(scene);
   } catch (const InvalidArgument& error) {
     const std::string why = std::string(error.what()).substr(error.quantity().size() + 2);

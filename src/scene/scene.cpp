@@ -102,17 +102,17 @@ motion::FreeBody free_body(const Scene& scene) {
 }
 
 std::vector<motion::FreeBody> shown_bodies(const Scene& scene) {
+  const motion::FreeBody own = free_body(scene);
   std::vector<motion::FreeBody> bodies;
-  Scene other = scene;
   for (const Eigen::Vector3d& omega : scene.overlay.compare_omega) {
-    other.motion.omega = omega;
-    bodies.push_back(free_body(other));
+    bodies.push_back(own.with_omega(omega));
   }
+  motion::Interior interior = own.interior();
   for (const Eigen::Vector3d& wheel : scene.overlay.compare_wheel) {
-    other.motion.wheel = wheel;
-    bodies.push_back(free_body(other));
+    interior.wheel = wheel;
+    bodies.emplace_back(own.inertia(), own.omega(), own.attitude(), interior);
   }
-  if (bodies.empty()) bodies.push_back(free_body(scene));
+  if (bodies.empty()) bodies.push_back(own);
   return bodies;
 }
 
