@@ -1,12 +1,13 @@
 #include "interchange/aem.h"
 
 #include <fmt/format.h>
-#include <twrench/motion/exact.h>
 #include <twrench/motion/propagator.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "motion/reference_motion.h"
 
 namespace twrench::interchange {
 namespace {
@@ -72,9 +73,8 @@ void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& genera
                std::size_t count, const std::function<double(std::size_t)>& time,
                const std::function<void(std::string_view)>& write) {
   const motion::FreeBody body = scene::free_body(scene);
-  const motion::Method& method =
-      motion::find_method(motion::ExactMotion::covers(body) ? "exact" : "taylor");
-  const auto motion = motion::make_propagator(body, method, {.tolerance = motion::min_tolerance});
+  const motion::Method& method = motion::reference_method(body);
+  const auto motion = motion::make_propagator(body, method, motion::reference_control);
   const std::string source =
       body.is_rigid()
           ? "of a rigid body, in closed form"

@@ -16,7 +16,6 @@
 #include "picture/look/emphasis.h"
 #include "picture/look/material.h"
 #include "picture/overlay/body_overlay.h"
-#include "scene/interior.h"
 #include "timeline/reference_frame.h"
 
 namespace twrench::interchange {
@@ -54,7 +53,7 @@ class SceneWriter {
         style_(picture::style_of(scene.look.theme)),
         colors_(picture::emphasised(style_.overlay, scene.overlay)),
         body_(scene::free_body(scene)),
-        played_(body_, options.speed),
+        played_(body_, options.speed, scene.motion.duration / options.speed),
         radius_(picture::bounding_radius(scene::visible_parts(scene.body))),
         overlay_(with_all_arrows(scene), body_, radius_) {}
 
@@ -64,7 +63,8 @@ class SceneWriter {
     add_body(camera);
     if (!body_.momentum().isZero(0)) {
       add_momentum();
-      add_omega();
+      // A body whose wheel alone turns is at rest, although it has momentum.
+      if (!body_.initial_rate().isZero(0)) add_omega();
     }
     gltf_.add("animations", animation_);
     gltf_.add("scenes", {{"name", scene_.name}, {"nodes", nodes_}});
@@ -270,7 +270,6 @@ std::size_t SceneWriter::add_camera() {
 
 Gltf gltf_scene(const scene::Scene& scene, const AnimationOptions& options,
                 const std::string& generator) {
-  scene::require_rigid(scene, "a glTF model");
   return SceneWriter(scene, options, generator).finish();
 }
 

@@ -80,7 +80,12 @@ std::vector<float> key_times(double end, double max_angle,
     const float to = times.back();
     constexpr double growth = 1.25;
     length = std::min<double>(growth * length, to);
-    length = longest_interval(bounds(to - length, to), allowed, length);
+    RateBounds rates = bounds(to - length, to);
+    while (std::isinf(rates.velocity) && rounded_up(to - length) < to) {
+      length /= 2;
+      rates = bounds(to - length, to);
+    }
+    length = longest_interval(rates, allowed, length);
     const float from = rounded_up(to - length);
     require_representable(from, to, length, max_angle);
     times.push_back(from);

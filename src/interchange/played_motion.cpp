@@ -1,6 +1,7 @@
 #include "interchange/played_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,25 +36,73 @@ Vector3d component_bounds(const Eigen::Array3d& moments, const Vector3d& omega) 
   return bounds.sqrt().matrix();
 }
 
+/// omega in body axes and its first two derivatives.
+struct Derivatives {
+  Vector3d omega, first, second;
+};
+
+/// Differentiates omega = w + a (m x w) with w = I^-1 (m - h) and m' = m x omega.
+Derivatives derivatives(const motion::FreeBody& body, const motion::Sample& sample) {
+  const double a = body.energy_loss();
+  const Vector3d m0 = sample.X.transpose() * body.momentum(), w0 = body.rigid_velocity(m0);
+  const Vector3d omega = sample.omega;
+  const Vector3d m1 = m0.cross(omega), w1 = body.inverse() * m1;
+  const Vector3d first = w1 + a * (m1.cross(w0) + m0.cross(w1));
+  const Vector3d m2 = m1.cross(omega) + m0.cross(first), w2 = body.inverse() * m2;
+  return {omega, first, w2 + a * (m2.cross(w0) + 2 * m1.cross(w1) + m0.cross(w2))};
+}
+
+/// Returns a lower bound for |omega| in rad/s at all times; 0 if there is none. Without a wheel
+/// omega . L = 2 T, which is at least |L|^2/I3.
+double least_rate(const motion::FreeBody& body) {
+  const double momentum = body.momentum().stableNorm();
+  if (momentum == 0 || !body.interior().wheel.isZero(0)) return 0;
+  if (body.energy_loss() > 0) return momentum / body.principal().moments[2];
+  return body.omega().dot(body.momentum()) / momentum;
+}
+
 }  // namespace
 
-PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed)
-    : exact_(body),
-      speed_(speed),
-      principal_from_body_(body.principal().axes.transpose()),
-      coupling_(coupling(body.principal().moments)) {
-  const double momentum = body.momentum().stableNorm();
-  const double twice_energy = body.omega().dot(body.momentum());
-  least_rate_ = momentum > 0 ? twice_energy / momentum : 0;
-  const Vector3d c = coupling_.cwiseAbs();
+PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed, double end)
+    : body_(body), motion_(body, speed * end), speed_(speed), least_rate_(least_rate(body)) {
+  curvatures_ = body.is_rigid() ? curvatures_of_rigid_body() : curvatures_with_interior();
+}
+
+PlayedMotion::Peaks PlayedMotion::curvatures_of_rigid_body() const {
+  const body::PrincipalAxes& principal = body_.principal();
+  const Vector3d c = coupling(principal.moments).cwiseAbs();
   const Vector3d w =
-      component_bounds(body.principal().moments.array(), principal_from_body_ * body.omega());
+      component_bounds(principal.moments.array(), principal.axes.transpose() * body_.omega());
   const Vector3d d1 = products(c, w, w);
   const Vector3d d2 = products(c, d1, w) + products(c, w, d1);
   const Vector3d d3 = products(c, d2, w) + 2 * products(c, d1, d1) + products(c, w, d2);
   const Vector3d d4 =
       products(c, d3, w) + 3 * products(c, d2, d1) + 3 * products(c, d1, d2) + products(c, w, d3);
-  curvatures_ = {d2.norm(), d3.norm(), d4.norm()};
+  return {d2.norm(), d3.norm(), d4.norm()};
+}
+
+/// Bounds the derivatives of m, w and omega in turn by Leibniz' rule, from |m| = |L|.
+PlayedMotion::Peaks PlayedMotion::curvatures_with_interior() const {
+  constexpr std::size_t most = 4;
+  std::array<double, most + 1> m{}, w{}, omega{};
+  const auto product = [](const auto& p, const auto& q, std::size_t order) {
+    double sum = 0, binomial = 1;
+    for (std::size_t i = 0; i <= order; ++i) {
+      sum += binomial * p[i] * q[order - i];
+      binomial = binomial * static_cast<double>(order - i) / static_cast<double>(i + 1);
+    }
+    return sum;
+  };
+  const double least_moment = body_.principal().moments[0];
+  m[0] = body_.momentum().stableNorm();
+  w[0] = (m[0] + body_.interior().wheel.stableNorm()) / least_moment;
+  for (std::size_t k = 0;; ++k) {
+    omega[k] = w[k] + body_.energy_loss() * product(m, w, k);
+    if (k == most) break;
+    m[k + 1] = product(m, omega, k);
+    w[k + 1] = m[k + 1] / least_moment;
+  }
+  return {omega[2], omega[3], omega[4]};
 }
 
 /// Between two samples, the length of a vector function exceeds that of the longer one by at most
@@ -61,18 +110,20 @@ PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed)
 PlayedMotion::Peaks PlayedMotion::peaks(double begin, double end) const {
   constexpr int gaps = 8;
   Peaks peaks;
+  double slowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= gaps; ++i) {
-    const Vector3d w = principal_from_body_ * at(begin + (end - begin) * i / gaps).omega;
-    const Vector3d d1 = products(coupling_, w, w);
-    const Vector3d d2 = products(coupling_, d1, w) + products(coupling_, w, d1);
-    peaks.velocity = std::max(peaks.velocity, w.norm());
-    peaks.acceleration = std::max(peaks.acceleration, d1.norm());
-    peaks.jerk = std::max(peaks.jerk, d2.norm());
+    const Derivatives d = derivatives(body_, at(begin + (end - begin) * i / gaps));
+    slowest = std::min(slowest, d.omega.norm());
+    peaks.velocity = std::max(peaks.velocity, d.omega.norm());
+    peaks.acceleration = std::max(peaks.acceleration, d.first.norm());
+    peaks.jerk = std::max(peaks.jerk, d.second.norm());
   }
   const double gap = speed_ * (end - begin) / gaps, bend = gap * gap / 8;
-  return {peaks.velocity + bend * curvatures_.velocity,
-          peaks.acceleration + bend * curvatures_.acceleration,
-          peaks.jerk + bend * curvatures_.jerk};
+  peaks.velocity += bend * curvatures_.velocity;
+  peaks.acceleration += bend * curvatures_.acceleration;
+  peaks.jerk += bend * curvatures_.jerk;
+  peaks.least_velocity = std::max(least_rate_, slowest - 0.5 * gap * peaks.acceleration);
+  return peaks;
 }
 
 /// On SO(3) with its bi-invariant metric the covariant acceleration is omega' in body axes.
@@ -85,10 +136,12 @@ RateBounds PlayedMotion::attitude_rates(double begin, double end) const {
 /// direction u = v/|v|, the tangential part of u'' and |v|''/|v| are both at most |v''|/|v| +
 /// (|v'|/|v|)^2.
 RateBounds PlayedMotion::omega_rates(double begin, double end) const {
-  if (!(least_rate_ > 0)) return {};
   const Peaks p = peaks(begin, end);
-  const double turning = p.acceleration / least_rate_;
-  const double bending = (p.jerk + p.velocity * p.acceleration) / least_rate_;
+  if (p.velocity == 0) return {};
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (!(p.least_velocity > 0)) return {unknown, unknown};
+  const double turning = p.acceleration / p.least_velocity;
+  const double bending = (p.jerk + p.velocity * p.acceleration) / p.least_velocity;
   return {speed_ * turning, speed_ * speed_ * (bending + turning * turning)};
 }
 

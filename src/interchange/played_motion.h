@@ -1,12 +1,13 @@
 #pragma once
 
-#include <twrench/motion/exact.h>
-
 #include <Eigen/Core>
+
+#include "motion/reference_motion.h"
 
 namespace twrench::interchange {
 
-/// Upper bounds, within an interval of time, for a turning attitude or direction.
+/// Upper bounds, within an interval of time, for a turning attitude or direction. Infinite if they
+/// are known only for shorter intervals.
 struct RateBounds {
   double velocity = 0;      ///< Angular velocity in rad/s.
   double acceleration = 0;  ///< Covariant (geodesic) acceleration in rad/s^2.
@@ -16,11 +17,11 @@ struct RateBounds {
 /// in s from its start.
 class PlayedMotion {
  public:
-  /// `speed`: seconds of motion per second of the animation.
-  PlayedMotion(const motion::FreeBody& body, double speed);
+  /// `speed`: seconds of motion per second of the animation; `end`: its duration in s.
+  PlayedMotion(const motion::FreeBody& body, double speed, double end);
 
   /// Returns the sample of the motion that is shown at `time`.
-  motion::Sample at(double time) const { return exact_.at(speed_ * time); }
+  motion::Sample at(double time) const { return motion_.at(speed_ * time); }
 
   /// Returns bounds for the attitude from `begin` to `end`.
   RateBounds attitude_rates(double begin, double end) const;
@@ -34,15 +35,17 @@ class PlayedMotion {
   /// Upper bounds for omega in body axes and its first two derivatives, per s of motion.
   struct Peaks {
     double velocity = 0, acceleration = 0, jerk = 0;
+    double least_velocity = 0;  ///< Lower bound for |omega|; not positive if it is not known.
   };
   Peaks peaks(double begin, double end) const;
+  Peaks curvatures_of_rigid_body() const;
+  Peaks curvatures_with_interior() const;
 
-  motion::ExactMotion exact_;
+  motion::FreeBody body_;
+  motion::ReferenceMotion motion_;
   double speed_;
-  Eigen::Matrix3d principal_from_body_;
-  Eigen::Vector3d coupling_;  ///< c of Euler's equations: omega_x' = c_x omega_y omega_z.
-  double least_rate_;         ///< Lower bound for |omega|, in rad/s.
-  Peaks curvatures_;          ///< Bounds of the second derivatives of these three.
+  double least_rate_;  ///< Lower bound for |omega| at all times, in rad/s.
+  Peaks curvatures_;   ///< Bounds of the second derivatives of the first three.
 };
 
 }  // namespace twrench::interchange

@@ -4,6 +4,7 @@
 #include <twrench/motion/trajectory.h>
 
 #include "report/solution.h"
+#include "study/reference.h"
 
 namespace twrench::report {
 
@@ -16,10 +17,11 @@ plot::AttitudeCurve attitude_curve(const scene::Scene& scene) {
   curve.samples =
       motion::integrate(body, method, scene.motion.control, plot_times(scene.motion, most_times))
           .samples;
-  if (!body.is_rigid()) return curve;
-  const motion::ExactMotion motion(body);
-  const auto flips = motion.flips();
-  if (flips && flips->turns_over()) curve.flips = motion.flip_times(scene.motion.duration);
+  if (body.energy_loss() > 0) return curve;
+  const auto flips = body.is_rigid() ? motion::ExactMotion(body).flips() : std::nullopt;
+  if (!body.is_rigid() || (flips && flips->turns_over())) {
+    curve.flips = study::reference_flip_times(body, scene.motion.duration);
+  }
   return curve;
 }
 

@@ -14,6 +14,9 @@ inline constexpr std::string_view landau =
 inline constexpr std::string_view feynman =
     "R. P. Feynman, R. B. Leighton, M. Sands, The Feynman Lectures on Physics, vol. I "
     "(Addison-Wesley, 1963), chapter 20";
+inline constexpr std::string_view double_bracket =
+    "A. Bloch, P. S. Krishnaprasad, J. E. Marsden, T. S. Ratiu, The Euler-Poincaré equations and "
+    "double bracket dissipation, Commun. Math. Phys. 175 (1996), 1-42";
 inline constexpr std::string_view ashbaugh =
     "M. S. Ashbaugh, C. C. Chicone, R. H. Cushman, The twisting tennis racket, J. Dyn. Differ. "
     "Equ. 3 (1991), 67-85";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "motion/reference_motion.h"
 #include "system/program.h"
 
 namespace twrench::report {
@@ -20,12 +21,13 @@ Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& 
   words.insert(words.end(), motion_options.begin(), motion_options.end());
   const std::string motion = system::shell_command(words);
   const std::string study = "twrench study " + motion, plot = "twrench plot " + motion;
+  const motion::Method& reference = motion::reference_method(scene::free_body(scene));
   const std::vector<std::string> output{"-o", "components-" + scene.name + ".svg"};
   const std::string file = system::shell_command(output);
   const motion::StepControl& control = scene.motion.control;
   return {.inertia = "twrench inertia " + body,
           .start = "twrench simulate " + motion + " --times 0",
-          .constants = study + " --methods exact",
+          .constants = fmt::format("{} --methods {}", study, reference.name),
           .own_method = fmt::format("{} --method {} --step {} --tolerance {}", study,
                                     scene.motion.method, control.step, control.tolerance),
           .study = study,
@@ -38,7 +40,7 @@ Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& 
               [study](const std::string& method, double step) {
                 return fmt::format("{} --method {} --step {}", study, method, step);
               },
-          .components = plot + " --method exact " + file,
+          .components = fmt::format("{} --method {} {}", plot, reference.name, file),
           .components_of =
               [plot, file](const std::string& method, double step) {
                 return fmt::format("{} --method {} --step {} {}", plot, method, step, file);

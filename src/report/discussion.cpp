@@ -103,7 +103,7 @@ Paragraph flips_paragraph(const PrintedSolution& solution) {
 Paragraph stability_paragraph(std::span<const PrintedSolution> solutions, Citations& citations) {
   std::vector<std::string> swings;
   for (std::size_t i = 0; i < solutions.size(); ++i) {
-    if (const auto flips = solutions[i].solution.exact.flips()) {
+    if (const auto flips = solutions[i].solution.flips()) {
       swings.push_back(fmt::format("({}) {:.1f}", "abc"[i], flips -> swing * 180 / std::acos(-1)));
     }
   }

@@ -39,7 +39,7 @@ struct Excursion {
 
 Excursion excursion(const Solution& solution, const Eigen::Vector3d& axis) {
   Excursion result;
-  for (const motion::Sample& sample : solution.exact.at(plot_times(solution.scene().motion))) {
+  for (const motion::Sample& sample : solution.reference()) {
     const Eigen::Vector3d now = sample.X * axis;
     const double cosine = now.dot(axis);
     result.least_cosine = std::min(result.least_cosine, cosine);
@@ -56,7 +56,7 @@ std::string repetition(const Solution& solution, const motion::ExactMotion::Flip
       "ω repeats after {} s, 4K(m)/λ. X does not: in that time it turns about L by {} degrees, "
       "apart "
       "from whole turns.",
-      digits(period), short_number(so3::log(solution.exact.at(period).X).norm() * in_degrees));
+      digits(period), short_number(so3::log(solution.exact->at(period).X).norm() * in_degrees));
 }
 
 std::string spin_period(const Solution& solution) {
@@ -106,7 +106,7 @@ std::string turning_over(const Solution& solution, const motion::ExactMotion::Fl
 
 std::string wobbling(const Solution& solution, const motion::ExactMotion::Flips& flips) {
   const body::PrincipalAxes& principal = solution.body.principal();
-  const bool least = solution.exact.kind() == motion::ExactMotion::Kind::about_least;
+  const bool least = solution.exact->kind() == motion::ExactMotion::Kind::about_least;
   const auto axis = least ? body::PrincipalAxes::least : body::PrincipalAxes::greatest;
   const Excursion far = excursion(solution, principal.axes.col(axis));
   const motion::Stability stable = motion::stability(
@@ -129,7 +129,7 @@ std::string wobbling(const Solution& solution, const motion::ExactMotion::Flips&
 /// The motion of a body with two equal moments, or of one that turns about a fixed axis.
 std::string without_flips(const Solution& solution) {
   if (solution.body.omega().isZero()) return "The body is at rest: X = Id at all times.";
-  if (solution.exact.kind() == motion::ExactMotion::Kind::steady) {
+  if (solution.exact->kind() == motion::ExactMotion::Kind::steady) {
     return fmt::format(
         "ω is constant, and the body turns about an axis fixed in space: X(t) = exp(tω̂). All "
         "components are constants and sinusoids with the period 2π/|ω| = {} s.",
@@ -143,12 +143,58 @@ std::string without_flips(const Solution& solution) {
                    solution.body.momentum().norm()));
 }
 
+/// The smallest and the largest tilt in degrees.
+std::string range_of_tilt(const motion::Tilt& tilt, const std::vector<motion::Sample>& samples) {
+  std::vector<double> tilts;
+  for (const motion::Sample& sample : samples) tilts.push_back(tilt.of(sample) * in_degrees);
+  const auto [least, greatest] = std::ranges::minmax(tilts);
+  return fmt::format("{} and {}", short_number(least), short_number(greatest));
+}
+
+/// "It turns over at 1.2, 3.4 s."
+std::string flips_of_reference(const std::vector<double>& times) {
+  constexpr std::size_t most = 6;
+  if (times.empty()) return "It does not turn over in this time.";
+  const std::vector<double> first(
+      times.begin(), times.begin() + static_cast<std::ptrdiff_t>(std::min(times.size(), most)));
+  return fmt::format(
+      "It turns over at {:.4g}{} s, as the component of m along the intermediate "
+      "axis changes sign.",
+      fmt::join(first, ", "), times.size() > most ? ", …" : "");
+}
+
+/// The motion of a body with a wheel or an energy loss, from its reference.
+std::string with_interior(const Solution& solution) {
+  const motion::FreeBody& body = solution.body;
+  if (body.momentum().isZero())
+    return "L is 0: the body turns against its wheel at a constant rate.";
+  const std::vector<motion::Sample> samples = solution.reference();
+  const motion::Tilt tilt(body);
+  const std::string axis = scene::axis_name(body.principal().axes, tilt.axis());
+  if (body.energy_loss() > 0) {
+    return fmt::format(
+        "L is constant in space, and the energy falls. The momentum in the body, m = XᵀL, "
+        "therefore crosses the curves of constant energy on the sphere |m| = |L|, down to the "
+        "least. The angle between L and the principal axis {} is {} degrees at first and {} "
+        "degrees at the end.",
+        axis, short_number(tilt.of(samples.front()) * in_degrees),
+        short_number(tilt.of(samples.back()) * in_degrees));
+  }
+  return fmt::format(
+      "L is constant in space, and so is the energy. The momentum in the body, m = "
+      "XᵀL, therefore moves along a curve of constant energy on the sphere |m| = "
+      "|L|. The angle between L and the principal axis {} stays between {} "
+      "degrees. {}",
+      axis, range_of_tilt(tilt, samples), flips_of_reference(solution.own.flip_times));
+}
+
 }  // namespace
 
 std::string interpretation(const Solution& solution) {
-  const auto flips = solution.exact.flips();
+  if (!solution.body.is_rigid()) return with_interior(solution);
+  const auto flips = solution.flips();
   if (!flips) return without_flips(solution);
-  if (solution.exact.kind() == motion::ExactMotion::Kind::separatrix) {
+  if (solution.exact->kind() == motion::ExactMotion::Kind::separatrix) {
     return "The motion is on the separatrix: as time passes, L tends to the intermediate axis, and "
            "the body to a steady rotation about it. It turns over at most once.";
   }

@@ -40,7 +40,7 @@ Section introduction_to_tasks(Citations& citations) {
   return section;
 }
 
-Section introduction_to_motions(Citations& citations) {
+Section introduction_to_motions(Citations& citations, bool has_interior) {
   Section section{.heading = "Introduction", .content = {}};
   section.content.emplace_back(Paragraph{fmt::format(
       "This report is about the rotation of a rigid body about its centre of mass when no external "
@@ -48,6 +48,12 @@ Section introduction_to_motions(Citations& citations) {
       "of methods that compute the motion.",
       citations.specification())});
   section.content.emplace_back(about_numbers(citations));
+  if (has_interior) {
+    section.content.emplace_back(Paragraph{fmt::format(
+        "If a body contains a wheel or loses energy, its motion has no closed form. There the "
+        "errors are differences from the method taylor with the tolerance {}.",
+        motion::min_tolerance)});
+  }
   return section;
 }
 

@@ -16,13 +16,13 @@ struct Symbol {
 };
 
 constexpr auto math_symbols = std::to_array<Symbol>({
-    {"omega", "mi", "ω"},     {"Omega", "mi", "Ω"},      {"lambda", "mi", "λ"},
-    {"varphi", "mi", "φ"},    {"theta", "mi", "θ"},      {"pi", "mi", "π"},
-    {"rho", "mi", "ρ"},       {"cdot", "mo", "·"},       {"times", "mo", "×"},
-    {"sum", "mo", "∑"},       {"int", "mo", "∫"},        {"dots", "mo", "…"},
-    {"le", "mo", "≤"},        {"ge", "mo", "≥"},         {"to", "mo", "→"},
-    {"approx", "mo", "≈"},    {"|", "mo", "‖"},          {",", "mspace", ".17em"},
-    {";", "mspace", ".28em"}, {"quad", "mspace", "1em"},
+    {"omega", "mi", "ω"},     {"Omega", "mi", "Ω"},     {"lambda", "mi", "λ"},
+    {"varphi", "mi", "φ"},    {"theta", "mi", "θ"},     {"pi", "mi", "π"},
+    {"rho", "mi", "ρ"},       {"tau", "mi", "τ"},       {"cdot", "mo", "·"},
+    {"times", "mo", "×"},     {"sum", "mo", "∑"},       {"int", "mo", "∫"},
+    {"dots", "mo", "…"},      {"le", "mo", "≤"},        {"ge", "mo", "≥"},
+    {"to", "mo", "→"},        {"approx", "mo", "≈"},    {"|", "mo", "‖"},
+    {",", "mspace", ".17em"}, {";", "mspace", ".28em"}, {"quad", "mspace", "1em"},
 });
 
 constexpr std::array<std::string_view, 5> math_functions{"cos", "sin", "cot", "exp", "ln"};

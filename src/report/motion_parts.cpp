@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/energy_contours.h"
 #include "plot/attitude_plot.h"
 #include "report/numbers.h"
 
@@ -40,6 +41,44 @@ void add_flip_rows(Table& table, const motion::ExactMotion::Flips& flips) {
        {"First sign change of ω₂, t₁", digits(flips.first), "s"},
        {"Swing of the intermediate axis", digits(flips.swing * 180 / std::numbers::pi),
         "degrees"}});
+}
+
+void add_phase_rows(Table& table, const std::optional<motion::ExactMotion::Phase>& phase) {
+  if (!phase) return;
+  table.rows.insert(table.rows.end(),
+                    {{"Period P in which L returns in the body", digits(phase->period), "s"},
+                     {"Rotation about L in that time", digits(phase->total), "rad"},
+                     {"Its dynamic part, 2TP/|L|", digits(phase->dynamic), "rad"},
+                     {"Its geometric part", digits(phase->geometric()), "rad"}});
+}
+
+/// The number of steady rotations with this L, and the least energy.
+void add_steady_rows(Table& table, const motion::FreeBody& body) {
+  if (body.momentum().isZero()) return;
+  const motion::EnergyContours contours(body);
+  const double unit = std::pow(body.momentum().stableNorm(), 2) / body.principal().moments[0];
+  const auto& equilibria = contours.equilibria();
+  table.rows.insert(table.rows.end(),
+                    {{"Steady rotations with this L", fmt::to_string(equilibria.size()), ""},
+                     {"Least energy with this L",
+                      digits(unit * contours.energy(equilibria.front().mu)), "g cm²/s²"}});
+}
+
+void add_interior_rows(Table& table, const Solution& solution) {
+  const motion::FreeBody& body = solution.body;
+  const motion::Interior& interior = body.interior();
+  if (!interior.wheel.isZero()) {
+    table.rows.push_back({"Wheel h, body axes", triple(interior.wheel), "g cm²/s"});
+  }
+  if (body.energy_loss() > 0) {
+    const motion::Sample end = solution.reference().back();
+    const double energy = body.energy(end.X.transpose() * body.momentum());
+    table.rows.insert(table.rows.end(),
+                      {{"Time of the energy loss τ", digits(interior.energy_loss_time), "s"},
+                       {"Coefficient a", digits(body.energy_loss()), "s/(g cm²)"},
+                       {"Energy T at the end", digits(energy), "g cm²/s²"}});
+  }
+  add_steady_rows(table, body);
 }
 
 double flip_at(const std::vector<double>& flips, std::size_t i) {
@@ -77,11 +116,14 @@ Table constants_table(const Solution& solution) {
       .header = {"Quantity", "Value", "Unit"},
       .rows = {{"ω at t = 0, body axes", triple(body.omega()), "rad/s"},
                {"|ω| at t = 0", digits(body.omega().norm()), "rad/s"},
-               {"L = Iω(0), space axes", triple(body.momentum()), "g cm²/s"},
+               {body.is_rigid() ? "L = Iω(0), space axes" : "L, space axes",
+                triple(body.momentum()), "g cm²/s"},
                {"Energy T", digits(motion::energy(body.inertia(), body.omega())), "g cm²/s²"},
-               {"Kind", name_of(solution.exact.kind()), ""},
                {"Duration", digits(solution.scene().motion.duration), "s"}}};
-  if (const auto flips = solution.exact.flips()) add_flip_rows(table, *flips);
+  if (solution.exact) table.rows.push_back({"Kind", name_of(solution.exact->kind()), ""});
+  if (!body.is_rigid()) add_interior_rows(table, solution);
+  if (const auto flips = solution.flips()) add_flip_rows(table, *flips);
+  if (solution.exact) add_phase_rows(table, solution.exact->phase());
   return table;
 }
 
@@ -116,7 +158,7 @@ Table drift_table(const Solution& solution, const std::vector<NumericalSolution>
               .commands = commands_of(solutions),
               .header = {"Quantity"},
               .rows = {{"Steps"},
-                       {"Energy drift"},
+                       {solution.own.loses_energy ? "Energy error" : "Energy drift"},
                        {"‖XᵀX − Id‖"},
                        {"Momentum error"},
                        {"Error of X at the end"}}};
@@ -136,9 +178,10 @@ Figure components_figure(const Solution& solution, std::vector<motion::Sample> s
   const scene::Scene& scene = solution.scene();
   plot::AttitudeCurve curve{
       .title = scene.shown_title(), .samples = std::move(samples), .flips = {}};
-  const auto flips = solution.exact.flips();
-  if (flips && flips->turns_over() && scene.motion.duration / flips->interval < 100) {
-    curve.flips = solution.exact.flip_times(scene.motion.duration);
+  const auto flips = solution.flips();
+  constexpr std::size_t most = 100;
+  if ((!flips || flips->turns_over()) && solution.own.flip_times.size() < most) {
+    curve.flips = solution.own.flip_times;
   }
   return {.name = "components-" + scene.name,
           .caption = scene.shown_title() + ": the nine components of X against time" +

@@ -1,5 +1,3 @@
-#include <twrench/motion/trajectory.h>
-
 #include "report/motion_parts.h"
 #include "report/sections.h"
 
@@ -9,11 +7,11 @@ Section motion_section(const Solution& solution) {
   Section section{.heading = solution.scene().shown_title(), .content = {}};
   section.content.emplace_back(constants_table(solution));
   section.content.emplace_back(
-      components_figure(solution, solution.exact.at(plot_times(solution.scene().motion)),
-                        solution.experiment->commands.components));
+      components_figure(solution, solution.reference(), solution.experiment->commands.components));
   section.content.emplace_back(Paragraph{interpretation(solution)});
   // Otherwise it wobbles about a stable axis and does not turn over.
-  if (solution.own.flips && solution.own.flips->turns_over()) {
+  const auto flips = solution.flips();
+  if (flips ? flips->turns_over() : !solution.own.flip_times.empty()) {
     section.content.emplace_back(flips_table(solution, {own_solution(solution)}));
   }
   section.content.emplace_back(drift_table(solution, {own_solution(solution)}));

@@ -3,15 +3,14 @@
 #include <algorithm>
 
 #include "report/sections.h"
-#include "scene/interior.h"
 
 namespace twrench::report {
 namespace {
 
-void require_rigid_bodies(std::span<const Experiment> experiments) {
-  for (const Experiment& experiment : experiments) {
-    scene::require_rigid(experiment.scene, "a report");
-  }
+/// Returns whether a body has a wheel or loses energy.
+bool has_interior(std::span<const Experiment> experiments) {
+  return !std::ranges::all_of(experiments,
+                              [](const Experiment& e) { return e.scene.motion.is_rigid(); });
 }
 
 /// One section for each body, because several scenes may have the same one.
@@ -31,9 +30,10 @@ std::vector<Section> body_sections(std::span<const Experiment> experiments) {
 }  // namespace
 
 std::vector<Section> report_on_motions(std::span<const Experiment> experiments) {
-  require_rigid_bodies(experiments);
   Citations citations;
-  std::vector<Section> sections{introduction_to_motions(citations), theory_section(citations)};
+  const bool interior = has_interior(experiments);
+  std::vector<Section> sections{introduction_to_motions(citations, interior),
+                                theory_section(citations, interior)};
   for (Section& body : body_sections(experiments)) sections.push_back(std::move(body));
   for (const Experiment& experiment : experiments) {
     sections.push_back(motion_section(solve(experiment)));
@@ -47,7 +47,6 @@ std::vector<Section> report_on_motions(std::span<const Experiment> experiments) 
 
 std::vector<Section> report_on_tasks(std::span<const Experiment> experiments,
                                      const TaskCommands& commands) {
-  require_rigid_bodies(experiments);
   std::vector<PrintedSolution> solutions;
   for (const Experiment& experiment : experiments) {
     solutions.push_back(solve_as_printed(experiment));
@@ -55,7 +54,7 @@ std::vector<Section> report_on_tasks(std::span<const Experiment> experiments,
   const Experiment& studied = experiments.front();
   const study::Study study = study_of_all(studied);
   Citations citations;
-  std::vector<Section> sections{introduction_to_tasks(citations), theory_section(citations)};
+  std::vector<Section> sections{introduction_to_tasks(citations), theory_section(citations, false)};
   sections.push_back(functions_section(solutions, commands, citations));
   sections.push_back(sphere_section(commands, citations));
   sections.push_back(lie_euler_section(study, studied, commands));

@@ -14,7 +14,7 @@ namespace twrench::report {
 struct Commands {
   std::string inertia;     ///< The mass properties.
   std::string start;       ///< The state at t = 0.
-  std::string constants;   ///< The kind of the exact motion and its flips.
+  std::string constants;   ///< The flips of the exact motion, or of the reference.
   std::string own_method;  ///< The flips and drifts of the scene's method.
   std::string study;       ///< All methods.
   std::string diagrams;    ///< The diagrams of all methods.
@@ -22,7 +22,7 @@ struct Commands {
   std::function<std::string(const std::vector<std::string>& methods)> study_of;
   /// The flips and drifts of a method with a fixed step in s.
   std::function<std::string(const std::string& method, double step)> solution;
-  /// The nine components of the exact motion, or of that by a method with a fixed step in s.
+  /// The nine components of the reference, or of a method with a fixed step in s.
   std::string components;
   std::function<std::string(const std::string& method, double step)> components_of;
 };
@@ -50,8 +50,7 @@ struct Experiment {
 
 /// Returns the report on motions: the equations, the bodies, each motion, the methods on the first
 /// of them, and references. All numbers are computed here. There must be at least one experiment.
-/// Throws MotionError if a scene's own method cannot compute its motion, and InvalidArgument unless
-/// the bodies are rigid.
+/// Throws MotionError if a scene's own method cannot compute its motion.
 std::vector<Section> report_on_motions(std::span<const Experiment> experiments);
 
 /// Returns the report that solves the specification's tasks. The experiments must be the three of

@@ -16,12 +16,13 @@ namespace twrench::report {
 /// The tasks and how the report solves them.
 Section introduction_to_tasks(Citations& citations);
 
-/// The contents of a report on motions.
-Section introduction_to_motions(Citations& citations);
+/// The contents of a report on motions. `has_interior`: a body has a wheel or loses energy.
+Section introduction_to_motions(Citations& citations, bool has_interior);
 
 /// The equations, the methods, the closed form and the measures of error. Every symbol of the other
-/// sections is defined here or where it is used.
-Section theory_section(Citations& citations);
+/// sections is defined here or where it is used. `has_interior`: also the equations of a wheel and
+/// of the energy loss.
+Section theory_section(Citations& citations, bool has_interior);
 
 /// Mass, centre of mass and inertia of a body, and what becomes of a small tilt about each axis.
 Section body_section(const Experiment& experiment);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "study/ladder.h"
+#include "study/reference.h"
 
 namespace twrench::report {
 namespace {
@@ -32,6 +33,14 @@ void require_success(const study::StudyRun& run, const Experiment& experiment) {
 
 }  // namespace
 
+std::optional<motion::ExactMotion::Flips> Solution::flips() const {
+  return exact ? exact->flips() : std::nullopt;
+}
+
+std::vector<motion::Sample> Solution::reference() const {
+  return study::reference_at(body, plot_times(scene().motion));
+}
+
 Solution solve(const Experiment& experiment) {
   const scene::Motion& motion = experiment.scene.motion;
   study::StudyPlan plan;
@@ -43,7 +52,8 @@ Solution solve(const Experiment& experiment) {
   plan.max_steps = most_study_steps;
   plan.stop = motion.control.stop;
   const motion::FreeBody body = scene::free_body(experiment.scene);
-  Solution solution{&experiment, body, motion::ExactMotion(body), study::run_study(body, plan)};
+  Solution solution{&experiment, body, {}, study::run_study(body, plan)};
+  if (body.is_rigid()) solution.exact.emplace(body);
   require_success(solution.run(), experiment);
   return solution;
 }
@@ -65,8 +75,11 @@ PrintedSolution solve_as_printed(const Experiment& experiment) {
 
 study::Study study_of_all(const Experiment& experiment) {
   study::StudyPlan plan = ladder_plan(experiment.scene.motion);
-  for (const motion::Method& method : motion::methods()) plan.methods.push_back(&method);
-  return study::run_study(scene::free_body(experiment.scene), plan);
+  const motion::FreeBody body = scene::free_body(experiment.scene);
+  for (const motion::Method& method : motion::methods()) {
+    if (!method.exact() || motion::ExactMotion::covers(body)) plan.methods.push_back(&method);
+  }
+  return study::run_study(body, plan);
 }
 
 std::vector<double> plot_times(const scene::Motion& motion, double most) {

@@ -4,6 +4,7 @@
 #include <twrench/study/study.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,15 @@ namespace twrench::report {
 struct Solution {
   const Experiment* experiment;
   motion::FreeBody body;
-  motion::ExactMotion exact;
-  study::Study own;  ///< One run of the scene's method, which did not fail.
+  std::optional<motion::ExactMotion> exact;  ///< Nothing unless the body is rigid.
+  study::Study own;                          ///< One run of the scene's method, which did not fail.
 
   const scene::Scene& scene() const { return experiment->scene; }
   const study::StudyRun& run() const { return own.methods.front().runs.front(); }
+  /// Returns the flips of the exact motion; nothing if it has none or the body is not rigid.
+  std::optional<motion::ExactMotion::Flips> flips() const;
+  /// Returns the motion with which the method is compared at the times of a plot.
+  std::vector<motion::Sample> reference() const;
 };
 
 /// Solves the experiment. The result refers to it. Throws MotionError if the scene's method cannot

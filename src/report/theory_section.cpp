@@ -120,6 +120,23 @@ void add_exact_motion(Section& section, Citations& citations) {
       "swing exceeds a right angle; otherwise it wobbles."});
 }
 
+void add_interior(Section& section, Citations& citations) {
+  section.content.emplace_back(Subheading{"A wheel and energy loss"});
+  section.content.emplace_back(Formula{
+      R"(\begin{aligned} w &= I^{-1} (m - h) ,\quad m = X^T L ,\quad \omega = w + a (m \times w) )"
+      R"(, \\ T &= \frac{1}{2} w \cdot I w ,\quad \dot T = - a |m \times w|^2 \end{aligned})",
+      fmt::format("The rate ω at which X turns if the body contains a wheel and loses energy {}. m "
+                  "is the momentum in body axes, h that of the wheel relative to the body, "
+                  "constant in body axes, g cm²/s, and a ≥ 0 the coefficient of the energy loss, "
+                  "s/(g cm²). L stays constant. T does not contain the constant energy of the "
+                  "wheel. The rates at t = 0 in the tables are those of w.",
+                  citations.cite(double_bracket))});
+  section.content.emplace_back(Formula{
+      R"(a = \frac{2}{\tau G^2 (1 / I_1 + 1 / I_2 - 2 / I_3)} ,\quad G = |L|)",
+      "Without a wheel, the amplitude of a small nutation about the axis of greatest moment decays "
+      "with the time constant τ."});
+}
+
 void add_errors(Section& section) {
   section.content.emplace_back(Subheading{"Errors"});
   section.content.emplace_back(Formula{
@@ -134,12 +151,13 @@ void add_errors(Section& section) {
 
 }  // namespace
 
-Section theory_section(Citations& citations) {
+Section theory_section(Citations& citations, bool has_interior) {
   Section section{.heading = "Theory and methods", .content = {}};
   add_motion(section, citations);
   add_methods(section, citations);
   add_products(section, citations);
   add_exact_motion(section, citations);
+  if (has_interior) add_interior(section, citations);
   add_errors(section);
   return section;
 }

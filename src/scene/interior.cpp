@@ -22,7 +22,7 @@ bool is_rigid(const Scene& scene) {
 /// Returns whether a feature is computed from the closed form or from the energy of a rigid body.
 bool needs_rigid_body(Feature feature) {
   static constexpr std::array features{Feature::plane, Feature::poinsot, Feature::forces,
-                                       Feature::tilt, Feature::moments};
+                                       Feature::moments};
   return std::ranges::find(features, feature) != features.end();
 }
 

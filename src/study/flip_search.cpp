@@ -11,7 +11,9 @@
 namespace twrench::study {
 
 double FlipSearch::component(const Eigen::Matrix3d& X) const {
-  return body_.principal().axes.col(1).dot(motion::angular_velocity(body_, method_, X));
+  const Eigen::Vector3d axis = body_.principal().axes.col(1);
+  const double of_wheel = axis.dot(body_.interior().wheel) / body_.principal().moments[1];
+  return axis.dot(motion::angular_velocity(body_, method_, X)) + of_wheel;
 }
 
 void FlipSearch::visit(const motion::AcceptedStep& step) {

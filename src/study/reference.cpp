@@ -6,27 +6,19 @@
 
 #include <cmath>
 
+#include "motion/reference_motion.h"
+
 namespace twrench::study {
-namespace {
-
-const motion::StepControl tightest{.tolerance = motion::min_tolerance};
-
-}  // namespace
-
-const motion::Method& reference_method(const motion::FreeBody& body) {
-  static const motion::Method& exact = motion::find_method("exact");
-  static const motion::Method& taylor = motion::find_method("taylor");
-  return motion::ExactMotion::covers(body) ? exact : taylor;
-}
 
 std::vector<motion::Sample> reference_at(const motion::FreeBody& body,
                                          std::span<const double> times) {
-  return motion::integrate(body, reference_method(body), tightest, times).samples;
+  return motion::integrate(body, motion::reference_method(body), motion::reference_control, times)
+      .samples;
 }
 
 Eigen::Matrix3d reference_step(const motion::FreeBody& body, const Eigen::Matrix3d& X,
                                double length) {
-  const motion::Method& method = reference_method(body);
+  const motion::Method& method = motion::reference_method(body);
   // In a quarter of a radian, the last terms of the series fall below round-off.
   const double parts =
       method.exact() ? 1 : std::ceil(std::abs(length) * body.fastest_rate() / 0.25);
@@ -36,10 +28,10 @@ Eigen::Matrix3d reference_step(const motion::FreeBody& body, const Eigen::Matrix
 }
 
 std::vector<double> reference_flip_times(const motion::FreeBody& body, double t_end) {
-  const motion::Method& method = reference_method(body);
+  const motion::Method& method = motion::reference_method(body);
   if (method.exact()) return motion::ExactMotion(body).flip_times(t_end);
   FlipSearch search(body, method);
-  motion::visit_steps(body, method, tightest, t_end,
+  motion::visit_steps(body, method, motion::reference_control, t_end,
                       [&](const motion::AcceptedStep& step) { search.visit(step); });
   std::vector<double> times = search.times();
   std::erase_if(times, [&](double t) { return t > t_end; });

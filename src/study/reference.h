@@ -5,13 +5,9 @@
 #include <span>
 #include <vector>
 
-// The motion with which methods are compared: the closed form or, where there is none, the method
-// `taylor` at its tightest tolerance.
+// The motion with which methods are compared, by motion::reference_method().
 
 namespace twrench::study {
-
-/// Returns the method that computes the reference of the body's motion.
-const motion::Method& reference_method(const motion::FreeBody& body);
 
 /// Returns the samples of the reference at the times in s.
 std::vector<motion::Sample> reference_at(const motion::FreeBody& body,

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "base/require.h"
+#include "motion/reference_motion.h"
 #include "study/ladder.h"
 #include "study/reference.h"
 
@@ -201,7 +202,7 @@ Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
     }
   }
   Study result;
-  result.reference = &reference_method(body);
+  result.reference = &motion::reference_method(body);
   result.loses_energy = body.energy_loss() > 0;
   result.duration = plan.duration;
   result.early = early_time(plan.duration, body.omega().norm());

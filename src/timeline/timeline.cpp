@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "scene/limits.h"
+#include "study/reference.h"
 
 namespace twrench::timeline {
 namespace {
@@ -44,8 +45,14 @@ std::optional<motion::ExactMotion::Flips> flips_of(const motion::FreeBody& body)
   return flips && flips->turns_over() ? flips : std::nullopt;
 }
 
+/// Empty if the body is rigid. If it loses energy, it does not turn over again and again.
+std::vector<double> reference_flips_of(const motion::FreeBody& body, double duration) {
+  if (body.is_rigid() || body.energy_loss() > 0) return {};
+  return study::reference_flip_times(body, duration);
+}
+
 std::vector<double> seen_flips(const Solution& solution, double duration) {
-  if (!solution.flips) return {};
+  if (!solution.turns_over()) return {};
   if (solution.method->exact()) {
     return motion::ExactMotion(solution.body).flip_times(duration);
   }
@@ -87,7 +94,7 @@ std::string name_of_wheel(const Eigen::Vector3d& wheel) {
 Solution solution_of(const scene::Scene& scene, const motion::StepControl& control,
                      const std::string& name, const std::string& method,
                      const motion::FreeBody& body) {
-  Solution solution{&motion::find_method(method), control, body, 0.0, {}, {}, {}, name};
+  Solution solution{&motion::find_method(method), control, body, 0.0, {}, {}, {}, {}, name};
   solution.initial_energy = motion::energy(solution.body.inertia(), solution.body.omega());
   std::vector<double> times;
   for (int i = 0; i <= whole_intervals; ++i) {
@@ -96,6 +103,7 @@ Solution solution_of(const scene::Scene& scene, const motion::StepControl& contr
   solution.whole =
       motion::integrate(solution.body, *solution.method, solution.control, times).samples;
   solution.flips = flips_of(solution.body);
+  solution.reference_flips = reference_flips_of(solution.body, 2 * scene.motion.duration);
   solution.flip_times = seen_flips(solution, scene.motion.duration);
   return solution;
 }
@@ -125,7 +133,10 @@ std::vector<Solution> solutions_of(const scene::Scene& scene, const std::atomic<
 }
 
 std::optional<double> next_flip(const Solution& solution, double t) {
-  if (!solution.flips) return std::nullopt;
+  if (!solution.flips) {
+    const auto next = std::ranges::upper_bound(solution.reference_flips, t);
+    return next == solution.reference_flips.end() ? std::nullopt : std::optional(*next);
+  }
   const double interval = solution.flips->interval, first = solution.flips->first;
   if (t < first) return std::isfinite(first) ? std::optional(first) : std::nullopt;
   if (!std::isfinite(interval)) return std::nullopt;

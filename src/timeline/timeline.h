@@ -40,13 +40,18 @@ struct Solution {
   double initial_energy;
   /// Samples evenly spaced from 0 to the duration, both included, for drawing curves.
   std::vector<motion::Sample> whole;
-  /// The flips of the exact motion; nothing if the body does not turn over.
+  /// The flips of the exact motion; nothing if the body does not turn over or is not rigid.
   std::optional<motion::ExactMotion::Flips> flips;
+  /// The flips of the reference of a body with a wheel in s, up to twice the duration.
+  std::vector<double> reference_flips;
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
   /// Distinguishes it from other motions in the same picture: its method, or the axis about which
   /// it starts and the moment of inertia about that axis.
   std::string name = {};
+
+  /// Returns whether the body turns over.
+  bool turns_over() const { return flips || !reference_flips.empty(); }
 };
 
 /// The state of one motion in one frame.

@@ -58,6 +58,20 @@ TEST(Interpretation, OfMotionsWithoutFlips) {
   EXPECT_THAT(of_moments({1, 2, 3}, {0, 0, 0}), HasSubstr("at rest"));
 }
 
+TEST(Interpretation, OfABodyWithAWheelOrAnEnergyLoss) {
+  Experiment experiment{scene::load_scene("dzhanibekov"), {}};
+  experiment.scene.motion.method = "taylor";
+  experiment.scene.motion.wheel = Eigen::Vector3d(2000, 0, 0);
+  EXPECT_THAT(interpretation(solve(experiment)),
+              AllOf(HasSubstr("so is the energy"), HasSubstr("the principal axis x stays between"),
+                    HasSubstr("It does not turn over in this time.")));
+  experiment.scene.motion.wheel = Eigen::Vector3d(1, 0, 0);
+  EXPECT_THAT(interpretation(solve(experiment)), HasSubstr("It turns over at 11.8"));
+  experiment.scene.motion.wheel.reset();
+  experiment.scene.motion.energy_loss_time = 20;
+  EXPECT_THAT(interpretation(solve(experiment)), HasSubstr("down to the least"));
+}
+
 // The moments are 1e12 times as large; the rates are the same.
 TEST(Interpretation, DoesNotDependOnTheScale) {
   const std::string small = of_moments({1e-6, 2e-6, 2.5e-6}, {10, 1, 0}),

@@ -7,9 +7,10 @@
 
 namespace twrench::study {
 
-/// Finds the times at which the component of omega along the intermediate axis changes sign in a
-/// method's own solution: it brackets them between the ends of each step, then finds the root on
-/// the method's own samples within the step. Two sign changes within one step are missed.
+/// Finds the times at which the component of the momentum in the body along the intermediate axis
+/// changes sign in a method's own solution, of a body that loses no energy: it brackets them
+/// between the ends of each step, then finds the root on the method's own samples within the step.
+/// Two sign changes within one step are missed.
 class FlipSearch {
  public:
   /// Keeps copies of `body` and `method`.
@@ -25,6 +26,7 @@ class FlipSearch {
   const std::vector<double>& times() const { return times_; }
 
  private:
+  /// Returns the component divided by the intermediate moment.
   double component(const Eigen::Matrix3d& X) const;
   double root(const motion::AcceptedStep& step, double at_start, double at_end) const;
 

@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -35,9 +37,10 @@ struct ReportOptions {
 
   /// Whether this is the course's report: its experiments, unchanged.
   bool solves_tasks() const {
-    return command.count("SCENE") + command.count("--omega") + command.count("--attitude") +
-               command.count("--inertia") ==
-           0;
+    const auto is_given = [this](const char* option) { return command.count(option) > 0; };
+    return std::ranges::none_of(
+        std::array{"SCENE", "--omega", "--attitude", "--wheel", "--energy-loss-time", "--inertia"},
+        is_given);
   }
 };
 
@@ -99,7 +102,7 @@ void add_report(CLI::App& app) {
       "report", "Write a report on a motion: theory, tables, figures and conclusions");
   command->footer(
       std::string(about_defaults) +
-      "Without a scene, --omega and --inertia it solves the tasks of the course, on\n"
+      "Without a scene and options of the motion it solves the tasks of the course, on\n"
       "dzhanibekov, stable-y and stable-z. The figures of Markdown are files beside it.\n"
       "Example: twrench report --author \"A. Student\" -o report.html");
   const auto options = std::make_shared<ReportOptions>(*command);

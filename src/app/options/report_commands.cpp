@@ -16,8 +16,8 @@ std::string report_command_line(const CLI::App& command, const SceneOptions& sce
   const std::vector<std::string> mesh = scenes.mesh_options().given();
   words.insert(words.end(), mesh.begin(), mesh.end());
   const auto others = given_options(
-      command, {"--omega", "--attitude", "--inertia", "--method", "--step", "--tolerance",
-                "--duration", "--fps", "--speed", "--author", "--date"});
+      command, {"--omega", "--attitude", "--wheel", "--energy-loss-time", "--inertia", "--method",
+                "--step", "--tolerance", "--duration", "--fps", "--speed", "--author", "--date"});
   words.insert(words.end(), others.begin(), others.end());
   if (is_static) words.emplace_back("--static");
   words.insert(words.end(), {"-o", report::argument_of(output)});
@@ -27,7 +27,8 @@ std::string report_command_line(const CLI::App& command, const SceneOptions& sce
 report::Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& source,
                              const CLI::App& command) {
   return report::commands_of(scene, source, given_options(command, {"--inertia"}),
-                             given_options(command, {"--omega", "--attitude", "--duration"}));
+                             given_options(command, {"--omega", "--attitude", "--wheel",
+                                                     "--energy-loss-time", "--duration"}));
 }
 
 }  // namespace twrench::app

@@ -13,8 +13,10 @@ std::string ratio_of_moments(const Eigen::Vector3d& moments) {
   return fmt::format("1 : {:.3g} : {:.3g}", moments[1] / moments[0], moments[2] / moments[0]);
 }
 
-/// The rate at which the body turns over, from the exact motion.
+/// The rate at which the body turns over, from the exact motion, or what keeps it from being rigid.
 std::string flips(const motion::FreeBody& body) {
+  if (body.energy_loss() > 0) return "loses energy";
+  if (!body.is_rigid()) return "contains a wheel";
   const auto flips = motion::ExactMotion(body).flips();
   if (!flips || !flips->turns_over()) return "does not flip";
   constexpr double day = 86400.0;

@@ -66,9 +66,9 @@ double Remarks::share_of_flip(const motion::Sample& sample) const {
 Remark Remarks::at(const timeline::SolutionState& state) const {
   constexpr double visible = 0.01;
   if (state.diagnostics.orthogonality_error > visible) return {no_rotation};
-  const bool flips = std::ranges::any_of(flip_times_, [&](double flip) {
-    return std::abs(state.sample.t - flip) < flips_->interval / 2;
-  });
+  const bool flips = flips_ && std::ranges::any_of(flip_times_, [&](double flip) {
+                       return std::abs(state.sample.t - flip) < flips_->interval / 2;
+                     });
   const double share = flips ? share_of_flip(state.sample) : 0;
   return share > 0 ? Remark{turns_over, share} : Remark{};
 }

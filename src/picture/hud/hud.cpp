@@ -126,7 +126,7 @@ void Typesetter::add_readouts() {
   std::vector<Readout> row;
   if (hud) row.push_back(figures_.time());
   if (shows(scene::Feature::drift)) row.push_back(figures_.energy_drift(0));
-  if (hud && solutions_[0].flips) {
+  if (hud && solutions_[0].turns_over()) {
     row.push_back(figures_.flips(0));
     row.push_back(figures_.next_flip(0));
   }
@@ -147,7 +147,7 @@ void Typesetter::add_legend(std::size_t solution) {
     if (body.energy_loss() == 0) row.push_back(figures_.energy_drift(solution));
     row.push_back(Figures::orthogonality(solution));
   }
-  const bool has_flips = body.is_rigid();
+  const bool has_flips = body.energy_loss() == 0;
   if (has_flips && (!row.empty() || shows(scene::Feature::hud))) {
     row.push_back(figures_.flips(solution));
   }

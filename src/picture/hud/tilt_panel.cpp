@@ -34,6 +34,13 @@ double bottom_of(const motion::Tilt& tilt, const std::vector<motion::Sample>& wh
   return degree * std::pow(10, std::floor(std::log10(least / degree) + 1e-9));
 }
 
+/// The linearised motion predicts the tilt of a rigid body. Of others, only the axis is named.
+std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt) {
+  const body::PrincipalAxes& principal = body.principal();
+  if (body.is_rigid()) return scene::prediction(principal, tilt.axis(), tilt.steady_rate());
+  return fmt::format("of {}", scene::axis_name(principal.axes, tilt.axis()));
+}
+
 std::string degrees_text(double tilt) {
   const double value = tilt / degree;
   if (value != 0 && value < 1e-3) return fmt::format("{:.0e}°", value);
@@ -59,8 +66,7 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
   draw_panel(future, *layout.tilt, size_, colors);
   const canvas::Line name = canvas::typeset(typeface.regular, "tilt against L");
   future.text(name, size_, {static_cast<double>(area.x), value_.y}, {colors.text});
-  const std::string prediction =
-      scene::prediction(solutions[0].body.principal(), tilt_.axis(), tilt_.steady_rate());
+  const std::string prediction = prediction_of(solutions[0].body, tilt_);
   future.text(canvas::typeset_within(typeface.regular, prediction, area.width / size_), size_,
               {static_cast<double>(area.x), value_.y + plot_line_em * size_}, {colors.dim});
   draw_scale(future, typeface);

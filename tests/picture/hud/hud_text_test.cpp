@@ -77,7 +77,7 @@ TEST(Setting, IsAsShortAsCanBe) {
 TEST(Method, SaysWhatItsErrorHangsOn) {
   const auto words = [](const char* name) {
     const motion::FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitX());
-    timeline::Solution solution{&motion::find_method(name), {}, body, 0, {}, {}, {}};
+    timeline::Solution solution{&motion::find_method(name), {}, body, 0, {}, {}, {}, {}};
     solution.control.step = 0.025;
     solution.control.tolerance = 1e-8;
     return method(solution);
