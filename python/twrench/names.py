@@ -40,6 +40,7 @@ FeatureName = Literal[
     "components",
     "sphere",
     "poinsot",
+    "phase",
     "curve",
     "method",
     "drift",

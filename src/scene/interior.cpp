@@ -21,8 +21,8 @@ bool is_rigid(const Scene& scene) {
 
 /// Returns whether a feature is computed from the closed form or from the energy of a rigid body.
 bool needs_rigid_body(Feature feature) {
-  static constexpr std::array features{Feature::plane, Feature::poinsot, Feature::forces,
-                                       Feature::moments};
+  static constexpr std::array features{Feature::plane, Feature::poinsot, Feature::phase,
+                                       Feature::forces, Feature::moments};
   return std::ranges::find(features, feature) != features.end();
 }
 

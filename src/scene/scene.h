@@ -178,6 +178,7 @@ enum class Feature {
   components,  ///< The nine components of X against time.
   sphere,      ///< The momentum sphere as an inset.
   poinsot,     ///< Poinsot's construction as an inset.
+  phase,       ///< The area on the momentum sphere that is the geometric phase.
   curve,       ///< A large plot of one component of X, x11: the direction of the leg.
   method,      ///< The method, below the title.
   drift,       ///< The energy drift, beside the time.

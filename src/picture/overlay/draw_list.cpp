@@ -146,6 +146,22 @@ void DrawList::disc(const Vector3d& centre, const Vector3d& normal, double radiu
   }
 }
 
+void DrawList::cap(const Vector3d& middle, std::span<const Vector3d> rim,
+                   const std::function<Ink(const Vector3d&)>& ink_at) {
+  begin_thing();
+  constexpr std::uint32_t rings = 16;
+  const auto around = static_cast<std::uint32_t>(rim.size());
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  for (std::uint32_t i = 0; i <= rings; ++i) {
+    const double share = static_cast<double>(i) / rings;
+    for (const Vector3d& end : rim) {
+      const Vector3d point = ((1 - share) * middle + share * end).normalized();
+      add(clip(point), ink_at(point), no_edge);
+    }
+    if (i > 0) band(first + i * around, first + (i - 1) * around, around, items_.faces);
+  }
+}
+
 /// On the unit sphere the near side is a cap about the direction to the eye at distance d, up to
 /// the angle whose cosine is 1 / d.
 void DrawList::ellipsoid(const Matrix3d& space_from_unit, const Ink& ink, double rim,

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -85,6 +86,11 @@ class DrawList {
   /// Adds a flat disc whose colour changes from `middle` to `rim`.
   void disc(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius,
             const Ink& middle, const Ink& rim);
+
+  /// Adds a region of the unit sphere about the origin: from `middle` along great circles to the
+  /// points of the closed `rim`. `ink_at` returns the ink of a point.
+  void cap(const Eigen::Vector3d& middle, std::span<const Eigen::Vector3d> rim,
+           const std::function<Ink(const Eigen::Vector3d&)>& ink_at);
 
   /// Adds the near side of the ellipsoid about the origin that `space_from_unit` maps the unit
   /// sphere to. It is shaded, and its opacity rises to `rim` at the silhouette, as for a glass

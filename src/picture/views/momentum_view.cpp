@@ -67,6 +67,7 @@ MomentumView::MomentumView(const scene::Scene& scene,
   frame(std::atan2(from.x(), from.z()), std::atan2(from.y(), std::hypot(from.x(), from.z())), 1,
         tips);
   curves_ = sphere_curves(body_, frame_);
+  if (scene.overlay.shows(scene::Feature::phase)) cap_ = phase_cap(body_, frame_);
 }
 
 Vector3d MomentumView::place_of(const motion::Sample& sample) const {
@@ -87,6 +88,15 @@ void MomentumView::add_curve(const SphereCurves::Curve& curve, double width, con
   list.line(line);
 }
 
+void MomentumView::add_cap(DrawList& list) const {
+  constexpr double opacity = 0.35;
+  std::vector<Vector3d> rim;
+  for (const Vector3d& own : cap_->rim) rim.emplace_back(view_from_own_ * own);
+  list.cap(view_from_own_ * cap_->middle, rim, [&](const Vector3d& point) -> Ink {
+    return {colors_.momentum, opacity * shown(point, point, list.eye())};
+  });
+}
+
 void MomentumView::add_sphere(ViewContents& contents) const {
   for (int i = 0; i < 3; ++i) {
     const Vector3d axis = view_from_own_.col(i);
@@ -96,6 +106,7 @@ void MomentumView::add_sphere(ViewContents& contents) const {
   DrawList& list = contents.translucent;
   list.ellipsoid(Matrix3d::Identity(), {colors_.plane, 0.22}, 0.75,
                  {colors_.panel, colors_.panel_opacity});
+  if (cap_) add_cap(list);
   for (const auto& [curve, axis] : curves_.levels) {
     add_curve(curve, 1.25, {frame_.colors[axis], 0.95}, list);
   }

@@ -31,6 +31,7 @@ class MomentumView : public SolutionView {
 
  private:
   void add_sphere(ViewContents& contents) const;
+  void add_cap(DrawList& list) const;
   void add_axis_labels(ViewContents& contents) const;
   void add_momentum(const timeline::SolutionState& instant, const std::string& name,
                     const Color& color, ViewContents& contents) const;
@@ -39,6 +40,7 @@ class MomentumView : public SolutionView {
 
   Eigen::Matrix3d view_from_own_;  ///< From coordinates along the frame's axes to the picture's.
   SphereCurves curves_;
+  std::optional<Cap> cap_;  ///< The geometric phase, if it is shown.
 };
 
 }  // namespace twrench::picture

@@ -1,5 +1,6 @@
 #include "picture/views/sphere_curves.h"
 
+#include <twrench/motion/exact.h>
 #include <twrench/motion/polhode.h>
 
 #include <cmath>
@@ -77,6 +78,13 @@ SphereCurves curves_with_interior(const motion::FreeBody& body, const PrincipalF
 
 SphereCurves sphere_curves(const motion::FreeBody& body, const PrincipalFrame& frame) {
   return body.is_rigid() ? curves_of_rigid_body(body, frame) : curves_with_interior(body, frame);
+}
+
+std::optional<Cap> phase_cap(const motion::FreeBody& body, const PrincipalFrame& frame) {
+  if (!body.is_rigid() || !frame.level) return std::nullopt;
+  if (!motion::ExactMotion(body).phase()) return std::nullopt;
+  const motion::EnergyLevel& level = *frame.level;
+  return Cap{level.side * Vector3d::Unit(level.axis), level_curve(level)};
 }
 
 }  // namespace twrench::picture

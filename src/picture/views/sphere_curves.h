@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "picture/views/principal_frame.h"
@@ -29,6 +30,18 @@ struct SphereCurves {
   /// axes.
   Curve equilibria;
 };
+
+/// A region of the unit sphere about the end of an axis, as points along the axes of a
+/// PrincipalFrame.
+struct Cap {
+  Eigen::Vector3d middle;
+  SphereCurves::Curve rim;  ///< The last point is the first.
+};
+
+/// Returns the cap whose area is the geometric phase of a rigid body (docs/theory.md, "The
+/// geometric phase"): that inside the path of the momentum. Nothing if the momentum rests, or if
+/// its path does not close.
+std::optional<Cap> phase_cap(const motion::FreeBody& body, const PrincipalFrame& frame);
 
 /// Returns the curves of a body; none for one with a wheel and L = 0.
 SphereCurves sphere_curves(const motion::FreeBody& body, const PrincipalFrame& frame);

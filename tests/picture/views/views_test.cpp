@@ -1,5 +1,6 @@
 // Compares the contents of the views with the mechanics that they show.
 #include <gmock/gmock.h>
+#include <twrench/motion/exact.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -14,6 +15,7 @@
 #include "picture/views/momentum_view.h"
 #include "picture/views/poinsot_view.h"
 #include "picture/views/shown.h"
+#include "picture/views/sphere_curves.h"
 
 namespace twrench::picture {
 namespace {
@@ -196,6 +198,48 @@ std::string description(const Eigen::Vector3d& moments, const Eigen::Vector3d& o
   const OverlayScene film(scene);
   const timeline::Solution& solution = film.timeline.solutions()[0];
   return MomentumView::description(solution, PrincipalFrame(solution.body, film.colors));
+}
+
+/// Returns the area of a triangle with great circles as sides (Van Oosterom and Strackee, 1983).
+double spherical_area(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  return 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
+}
+
+// The curve consists of 240 chords.
+TEST(PhaseCap, HasTheAreaOfTheGeometricPhase) {
+  const Vector3d moments(3, 5, 9);
+  const OverlayColors colors = style_of(scene::Theme::studio).overlay;
+  for (const Vector3d& omega : {Vector3d(0, 0.4, 0.01 / 9), Vector3d(0.01, 0.4, 0),
+                                Vector3d(1, 0.2, -0.1), Vector3d(0.2, -0.3, -1)}) {
+    const motion::FreeBody body(moments.asDiagonal(), omega);
+    const PrincipalFrame frame(body, colors);
+    const std::optional<Cap> cap = phase_cap(body, frame);
+    ASSERT_TRUE(cap);
+    double area = 0;
+    for (std::size_t i = 0; i + 1 < cap->rim.size(); ++i) {
+      area += spherical_area(cap->middle, cap->rim[i], cap->rim[i + 1]);
+    }
+    EXPECT_NEAR(std::abs(area), std::abs(motion::ExactMotion(body).phase()->area()), 1e-3)
+        << omega.transpose();
+    EXPECT_GT(cap->middle.dot(frame.direction), 0);
+  }
+  for (const Vector3d& omega : {Vector3d(0, 1, 0), Vector3d(0, 0, 0)}) {
+    const motion::FreeBody body(moments.asDiagonal(), omega);
+    EXPECT_FALSE(phase_cap(body, PrincipalFrame(body, colors)));
+  }
+}
+
+TEST(PhaseCap, IsDrawnOnTheSphere) {
+  const auto shown = [](std::set<scene::Feature> features) {
+    const scene::Scene scene = with(std::move(features));
+    const timeline::Timeline timeline(scene, {0});
+    const MomentumView view(scene, timeline.solutions(), 0, whole_pane);
+    ViewContents contents;
+    contents.begin(view.camera_in_space(timeline.frame_state(0)), view.pane().area);
+    view.add_still(contents);
+    return contents.translucent.vertices().size();
+  };
+  EXPECT_GT(shown({scene::Feature::phase}), shown({}) + 16 * 240);
 }
 
 TEST(MomentumDescription, IsTrueOfTheMotion) {
