@@ -63,7 +63,7 @@ OpenedContext fall_back(bool egl_alone) {
   } catch (const GlError& error) {
     const std::string what = "no usable OpenGL", why = error.what() + osmesa_reason;
     if (egl_alone) throw GlError(what, why, error.remedy(), error.reason());
-    throw GlError(what, why, "install one: apt-get install libegl1 libegl-mesa0, or libosmesa6");
+    throw GlError(what, why, "install one: apt-get install libegl1 libgl1-mesa-dri, or libosmesa6");
   }
 }
 

@@ -16,7 +16,7 @@ namespace twrench::gl {
 namespace {
 
 constexpr std::array egl_libraries{"libEGL.so.1", "libEGL.so"};
-constexpr const char* egl_remedy = "install EGL: apt-get install libegl1 libegl-mesa0";
+constexpr const char* egl_remedy = "install EGL: apt-get install libegl1 libgl1-mesa-dri";
 constexpr const char* surfaceless = "surfaceless";
 
 [[noreturn]] void fail(const std::string& what, const std::string& why) {

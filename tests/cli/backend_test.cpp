@@ -68,7 +68,7 @@ TEST(Backend, WithoutEitherIsAnErrorWithTheRemedy) {
   const Outcome done = run(folder, backend_run, before);
   EXPECT_EQ(done.code, 3);
   EXPECT_THAT(done.err, HasSubstr("no usable OpenGL"));
-  EXPECT_THAT(done.err, HasSubstr("libegl1 libegl-mesa0, or libosmesa6"));
+  EXPECT_THAT(done.err, HasSubstr("libegl1 libgl1-mesa-dri, or libosmesa6"));
   EXPECT_EQ(run(folder, "inertia", before).code, 0) << "what draws nothing needs none";
 }
 
