@@ -53,7 +53,8 @@ class SceneWriter {
         style_(picture::style_of(scene.look.theme)),
         colors_(picture::emphasised(style_.overlay, scene.overlay)),
         body_(scene::free_body(scene)),
-        played_(body_, options.speed, scene.motion.duration / options.speed),
+        played_(body_, options.speed, scene.motion.duration / options.speed,
+                scene.motion.control.stop),
         radius_(picture::bounding_radius(scene::visible_parts(scene.body))),
         overlay_(with_all_arrows(scene), body_, radius_) {}
 

@@ -1,5 +1,7 @@
 #include "interchange/played_motion.h"
 
+#include <twrench/motion/error.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,9 +65,21 @@ double least_rate(const motion::FreeBody& body) {
 
 }  // namespace
 
-PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed, double end)
-    : body_(body), motion_(body, speed * end), speed_(speed), least_rate_(least_rate(body)) {
+PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed, double end,
+                           const std::atomic<bool>* stop)
+    : body_(body),
+      motion_(body, speed * end, stop),
+      speed_(speed),
+      stop_(stop),
+      least_rate_(least_rate(body)) {
   curvatures_ = body.is_rigid() ? curvatures_of_rigid_body() : curvatures_with_interior();
+}
+
+motion::Sample PlayedMotion::at(double time) const {
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+    throw motion::MotionError("export", "was stopped", motion::MotionError::Reason::stopped);
+  }
+  return motion_.at(speed_ * time);
 }
 
 PlayedMotion::Peaks PlayedMotion::curvatures_of_rigid_body() const {

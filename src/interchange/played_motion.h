@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 
 #include "motion/reference_motion.h"
 
@@ -17,11 +18,13 @@ struct RateBounds {
 /// in s from its start.
 class PlayedMotion {
  public:
-  /// `speed`: seconds of motion per second of the animation; `end`: its duration in s.
-  PlayedMotion(const motion::FreeBody& body, double speed, double end);
+  /// `speed`: seconds of motion per second of the animation; `end`: its duration in s. If `stop`,
+  /// which may be null, becomes true, the constructor and the functions below throw MotionError.
+  PlayedMotion(const motion::FreeBody& body, double speed, double end,
+               const std::atomic<bool>* stop = nullptr);
 
   /// Returns the sample of the motion that is shown at `time`.
-  motion::Sample at(double time) const { return motion_.at(speed_ * time); }
+  motion::Sample at(double time) const;
 
   /// Returns bounds for the attitude from `begin` to `end`.
   RateBounds attitude_rates(double begin, double end) const;
@@ -44,6 +47,7 @@ class PlayedMotion {
   motion::FreeBody body_;
   motion::ReferenceMotion motion_;
   double speed_;
+  const std::atomic<bool>* stop_;
   double least_rate_;  ///< Lower bound for |omega| at all times, in rad/s.
   Peaks curvatures_;   ///< Bounds of the second derivatives of the first three.
 };

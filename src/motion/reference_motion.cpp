@@ -13,14 +13,15 @@ const Method& reference_method(const FreeBody& body) {
   return ExactMotion::covers(body) ? exact : taylor;
 }
 
-ReferenceMotion::ReferenceMotion(const FreeBody& body, double end) : body_(body) {
+ReferenceMotion::ReferenceMotion(const FreeBody& body, double end, const std::atomic<bool>* stop)
+    : body_(body) {
   const Method& method = reference_method(body_);
   if (method.exact()) {
     exact_.emplace(body_);
     return;
   }
   starts_.push_back({0, body_.attitude()});
-  visit_steps(body_, method, reference_control, end, [&](const AcceptedStep& step) {
+  visit_steps(body_, method, reference_control(stop), end, [&](const AcceptedStep& step) {
     starts_.push_back({step.t + step.length, step.after});
   });
 }

@@ -3,6 +3,7 @@
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
 
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -10,17 +11,20 @@
 
 namespace twrench::motion {
 
-/// Returns the method that computes the body's motion to round-off, with reference_control.
+/// Returns the method that computes the body's motion to round-off, with reference_control().
 const Method& reference_method(const FreeBody& body);
 
-/// The step control of reference_method().
-inline constexpr StepControl reference_control{.tolerance = min_tolerance};
+/// Returns the step control of reference_method(). Another thread can end the integration through
+/// `stop`, as in StepControl.
+inline StepControl reference_control(const std::atomic<bool>* stop = nullptr) {
+  return {.tolerance = min_tolerance, .stop = stop};
+}
 
 /// The motion at any time from 0 to an end, in any order.
 class ReferenceMotion {
  public:
   /// `end` in s, >= 0. Throws MotionError as visit_steps() does.
-  ReferenceMotion(const FreeBody& body, double end);
+  ReferenceMotion(const FreeBody& body, double end, const std::atomic<bool>* stop = nullptr);
 
   /// Returns the sample at t in s.
   Sample at(double t) const;

@@ -12,7 +12,7 @@ namespace twrench::study {
 
 std::vector<motion::Sample> reference_at(const motion::FreeBody& body,
                                          std::span<const double> times) {
-  return motion::integrate(body, motion::reference_method(body), motion::reference_control, times)
+  return motion::integrate(body, motion::reference_method(body), motion::reference_control(), times)
       .samples;
 }
 
@@ -31,7 +31,7 @@ std::vector<double> reference_flip_times(const motion::FreeBody& body, double t_
   const motion::Method& method = motion::reference_method(body);
   if (method.exact()) return motion::ExactMotion(body).flip_times(t_end);
   FlipSearch search(body, method);
-  motion::visit_steps(body, method, motion::reference_control, t_end,
+  motion::visit_steps(body, method, motion::reference_control(), t_end,
                       [&](const motion::AcceptedStep& step) { search.visit(step); });
   std::vector<double> times = search.times();
   std::erase_if(times, [&](double t) { return t > t_end; });

@@ -1,7 +1,9 @@
 #include "interchange/track.h"
 
 #include <gtest/gtest.h>
+#include <twrench/motion/error.h>
 
+#include <atomic>
 #include <limits>
 #include <random>
 
@@ -124,6 +126,12 @@ TEST(Track, HasKeysOnlyWhereTheMotionNeedsThem) {
   for (const double bound : {1e-5, 1e-4, 1e-3}) {
     EXPECT_GT(attitude_error(attitude_track(motion, 96, bound), motion).slerp, 0.6 * bound);
   }
+}
+
+TEST(Track, EndsIfItIsStopped) {
+  const std::atomic<bool> stop = true;
+  const PlayedMotion motion(motion::FreeBody(Matrix3d::Identity(), Vector3d::UnitX()), 1, 96, &stop);
+  EXPECT_THROW(attitude_track(motion, 96, 1e-4), motion::MotionError);
 }
 
 TEST(Track, OfABodyAtRestHasTwoKeys) {

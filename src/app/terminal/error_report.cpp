@@ -74,9 +74,11 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
     case check::CheckError::Reason::one_row:
       return "judge a file of several rows, or give the initial state with --omega or --case";
     case check::CheckError::Reason::at_rest:
+      return "replace --fit by --omega 0,0,0 to judge whether it stays at rest";
+    case check::CheckError::Reason::stopped:
       break;
   }
-  return "replace --fit by --omega 0,0,0 to judge whether it stays at rest";
+  return {};
 }
 
 std::string remedy_for_columns(const check::ColumnError& error) {

@@ -1,7 +1,5 @@
 #include "check/reading/thinned_rows.h"
 
-#include "check/reading/row_reader.h"
-
 namespace twrench::check {
 
 void ThinnedRows::add(const Row& row) {
@@ -13,15 +11,6 @@ void ThinnedRows::add(const Row& row) {
     if ((seen_ - 1) % stride_ != 0) return;
   }
   rows_.push_back(row);
-}
-
-std::vector<Row> thinned_rows(const std::filesystem::path& file, const Convention& convention,
-                              std::size_t most, std::size_t of) {
-  RowReader reader(file, convention);
-  ThinnedRows thinned(most);
-  Row row;
-  for (std::size_t i = 0; i < of && reader.next(row); ++i) thinned.add(row);
-  return thinned.rows();
 }
 
 }  // namespace twrench::check

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <vector>
 
-#include "check/conventions/convention.h"
 #include "check/reading/row.h"
 
 namespace twrench::check {
@@ -24,9 +22,5 @@ class ThinnedRows {
   std::size_t seen_ = 0;
   std::vector<Row> rows_;
 };
-
-/// Returns at most `most` of the first `of` rows, evenly spread. Throws as RowReader does.
-std::vector<Row> thinned_rows(const std::filesystem::path& file, const Convention& convention,
-                              std::size_t most, std::size_t of);
 
 }  // namespace twrench::check

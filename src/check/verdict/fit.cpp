@@ -11,6 +11,7 @@
 #include "check/verdict/error.h"
 #include "check/verdict/exact_rows.h"
 #include "check/verdict/frame.h"
+#include "check/verdict/stop.h"
 
 namespace twrench::check {
 namespace {
@@ -40,13 +41,14 @@ enum class Body { as_given, fitted };
 class Residuals : public Eigen::DenseFunctor<double> {
  public:
   Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
-            Body body = Body::as_given)
+            Body body = Body::as_given, const std::atomic<bool>* stop = nullptr)
       : DenseFunctor(3 + (weights.attitude > 0 ? 3 : 0) + (body == Body::fitted ? 2 : 0),
                      static_cast<int>(rows.size() * weights.numbers_per_row())),
         from_(from),
         rows_(rows),
         weights_(weights),
         body_(body),
+        stop_(stop),
         speed_(from.body.omega().norm()) {}
 
   Reference reference(const VectorXd& p) const {
@@ -57,6 +59,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
   }
 
   int operator()(const VectorXd& p, VectorXd& residuals) const {
+    throw_if_stopped(stop_);
     const Reference at = reference(p);
     exact_.evaluate(motion::ExactMotion(at.body), at.start, rows_);
     Eigen::Index next = 0;
@@ -102,14 +105,15 @@ class Residuals : public Eigen::DenseFunctor<double> {
   std::span<const Row> rows_;
   Weights weights_;
   Body body_;
+  const std::atomic<bool>* stop_;
   double speed_;
   mutable ExactRows exact_;
 };
 
 /// Returns the reference that fits the rows best; the search starts at `from`.
 Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights,
-                   Body body = Body::as_given) {
-  Residuals residuals(from, rows, weights, body);
+                   const std::atomic<bool>* stop, Body body = Body::as_given) {
+  Residuals residuals(from, rows, weights, body, stop);
   Eigen::LevenbergMarquardt<Residuals> solver(residuals);
   constexpr double round_off = 1e-15;
   solver.setFtol(round_off);
@@ -180,7 +184,7 @@ Fit result(const Reference& reference, std::span<const Row> rows, const Weights&
 }  // namespace
 
 Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omega, bool has_rates,
-        bool has_attitude) {
+        bool has_attitude, const std::atomic<bool>* stop) {
   if (rows.size() < 2) {
     throw CheckError("fit", "there is only one row, but a fit needs at least two",
                      CheckError::Reason::one_row);
@@ -190,14 +194,14 @@ Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omeg
   if (speed == 0) throw CheckError("fit", "the body is at rest", CheckError::Reason::at_rest);
   Weights weights{has_rates ? 1 / speed : 0, has_attitude ? 1.0 : 0};
   for (std::size_t count = 16; count < rows.size(); count *= 2) {
-    reference = improved(reference, rows.first(count), weights);
+    reference = improved(reference, rows.first(count), weights, stop);
   }
-  reference = improved(reference, rows, weights);
+  reference = improved(reference, rows, weights, stop);
   // Once more, with the weights that the residuals themselves suggest.
   const RootMeanSquares left =
       root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
   weights = reweighted(weights, left, speed);
-  return result(improved(reference, rows, weights), rows, weights);
+  return result(improved(reference, rows, weights, stop), rows, weights);
 }
 
 Matrix3d fitted_inertia(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude) {
@@ -205,9 +209,9 @@ Matrix3d fitted_inertia(const Matrix3d& inertia, std::span<const Row> rows, bool
   const Weights weights{1 / omega.norm(), has_attitude ? 1.0 : 0};
   Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
   for (std::size_t count = 8; count < rows.size(); count *= 2) {
-    reference = improved(reference, rows.first(count), weights, Body::fitted);
+    reference = improved(reference, rows.first(count), weights, nullptr, Body::fitted);
   }
-  return improved(reference, rows, weights, Body::fitted).body.inertia();
+  return improved(reference, rows, weights, nullptr, Body::fitted).body.inertia();
 }
 
 Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& second) {

@@ -13,6 +13,7 @@
 #include "check/reading/thinned_rows.h"
 #include "check/verdict/error.h"
 #include "check/verdict/frame.h"
+#include "check/verdict/stop.h"
 #include "check/verdict/unit_change.h"
 #include "table/error.h"
 
@@ -26,9 +27,10 @@ using Eigen::Vector3d;
 constexpr std::size_t rows_per_block = 32768;
 
 template <typename Visit>
-void for_each_block(RowReader& reader, const Visit& visit) {
+void for_each_block(RowReader& reader, const std::atomic<bool>* stop, const Visit& visit) {
   std::vector<Row> block(rows_per_block);
   for (std::size_t count = rows_per_block; count == rows_per_block;) {
+    throw_if_stopped(stop);
     count = 0;
     while (count < rows_per_block && reader.next(block[count])) ++count;
     if (count > 0) visit(std::span<const Row>(block.data(), count));
@@ -43,6 +45,15 @@ struct Recording {
 
   RowReader reader() const { return {file, convention}; }
 };
+
+/// At most `count` rows from the beginning.
+std::vector<Row> first_rows(const Recording& recording, std::size_t count) {
+  RowReader reader = recording.reader();
+  std::vector<Row> rows;
+  Row row;
+  while (rows.size() < count && reader.next(row)) rows.push_back(row);
+  return rows;
+}
 
 /// Throws BadTable if the squares of these rates would underflow.
 Vector3d require_representable(const Recording& recording, const Vector3d& omega) {
@@ -69,21 +80,25 @@ Vector3d first_omega(const Recording& recording, const Problem& problem,
 }
 
 Fit fitted(const Recording& recording, const Problem& problem) {
-  const std::vector<Row> rows = thinned_rows(recording.file, recording.convention, most_fitted_rows,
-                                             std::numeric_limits<std::size_t>::max());
-  const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 2);
+  ThinnedRows thinned(most_fitted_rows);
+  RowReader reader = recording.reader();
+  for_each_block(reader, problem.stop, [&](std::span<const Row> rows) {
+    for (const Row& row : rows) thinned.add(row);
+  });
+  const std::vector<Row> first = first_rows(recording, 2);
   Vector3d omega = first_omega(recording, problem, first);
   if (problem.omega) {
     const double t = first.front().t;
     omega =
         motion::ExactMotion({problem.inertia, omega}).at(t - problem.omega_time.value_or(t)).omega;
   }
-  return fit(problem.inertia, rows, omega, recording.has_rates, recording.has_attitude);
+  return fit(problem.inertia, thinned.rows(), omega, recording.has_rates, recording.has_attitude,
+             problem.stop);
 }
 
 /// The given initial state, with the frame of the first row.
 Reference given_reference(const Recording& recording, const Problem& problem) {
-  const std::vector<Row> first = thinned_rows(recording.file, recording.convention, 2, 1);
+  const std::vector<Row> first = first_rows(recording, 1);
   const double t = first.front().t;
   const double start = problem.omega ? problem.omega_time.value_or(t) : t;
   Reference reference{{problem.inertia, first_omega(recording, problem, first)}, start};
@@ -93,12 +108,13 @@ Reference given_reference(const Recording& recording, const Problem& problem) {
 }
 
 /// The mean of L in the file's space, from its own rates if it has any.
-Vector3d mean_momentum(const Recording& recording, const Reference& reference) {
+Vector3d mean_momentum(const Recording& recording, const Reference& reference,
+                       const std::atomic<bool>* stop) {
   const motion::ExactMotion exact(reference.body);
   ExactRows exact_rows;
   Vector3d sum = Vector3d::Zero();
   RowReader reader = recording.reader();
-  for_each_block(reader, [&](std::span<const Row> rows) {
+  for_each_block(reader, stop, [&](std::span<const Row> rows) {
     exact_rows.evaluate(exact, reference.start, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Vector3d omega = recording.has_rates ? rows[i].omega : exact_rows.omega(i);
@@ -108,8 +124,9 @@ Vector3d mean_momentum(const Recording& recording, const Reference& reference) {
   return sum;
 }
 
-void turn_to_momentum(Reference& reference, const Recording& recording) {
-  const Vector3d mean = mean_momentum(recording, reference);
+void turn_to_momentum(Reference& reference, const Recording& recording,
+                      const std::atomic<bool>* stop) {
+  const Vector3d mean = mean_momentum(recording, reference, stop);
   const Vector3d L = reference.frame * reference.body.momentum();
   if (mean.norm() > 0 && L.norm() > 0)
     reference.frame = rotation_between(L, mean) * reference.frame;
@@ -237,7 +254,8 @@ void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm
 }
 
 /// Draws the conclusions from the errors after a pass.
-void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording) {
+void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording,
+                      const std::atomic<bool>* stop) {
   add_limits(judgement, comparison);
   judgement.flips =
       paired(comparison.flips().finish(),
@@ -260,7 +278,7 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
   judgement.within_noise = judgement.within_digits || are_noise(judgement);
   constexpr double suspicious = 1e-3;
   if (judgement.within_noise || relative_error(judgement) < suspicious) return;
-  require_one_unit(recording.file, recording.convention, judgement.reference.body.inertia());
+  require_one_unit(recording.file, recording.convention, judgement.reference.body.inertia(), stop);
   judgement.misfit = misfit(judgement.reference.body.inertia(),
                             informative_rows(recording.file, recording.convention),
                             judgement.has_rates, judgement.has_attitude);
@@ -277,10 +295,10 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   if (problem.fit) fit = fitted(recording, problem);
   Reference reference = fit ? fit->reference : given_reference(recording, problem);
   if (problem.frame == FrameSource::momentum && recording.has_attitude) {
-    turn_to_momentum(reference, recording);
+    turn_to_momentum(reference, recording, problem.stop);
   }
   Comparison comparison(reference, recording.has_rates, recording.has_attitude);
-  for_each_block(reader, [&](std::span<const Row> rows) { comparison.add(rows); });
+  for_each_block(reader, problem.stop, [&](std::span<const Row> rows) { comparison.add(rows); });
   const std::size_t enough = problem.omega ? 1 : 3;
   const bool is_start_alone = comparison.rows() == 1 && comparison.first_time() == reference.start;
   if (comparison.rows() < enough || is_start_alone) {
@@ -303,7 +321,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   judgement.rate_resolution = reader.rate_resolution();
   judgement.attitude_resolution = reader.attitude_resolution();
   judgement.course = std::move(comparison.spans());
-  draw_conclusions(judgement, comparison, recording);
+  draw_conclusions(judgement, comparison, recording, problem.stop);
   return judgement;
 }
 

@@ -3,6 +3,7 @@
 #include <twrench/motion/free_body.h>
 
 #include <Eigen/Core>
+#include <atomic>
 #include <optional>
 
 namespace twrench::check {
@@ -26,6 +27,8 @@ struct Problem {
   /// Whether the initial state is fitted to all rows by least squares.
   bool fit = false;
   FrameSource frame = FrameSource::first;
+  /// If it becomes true, the check ends with a CheckError. May be null.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// The exact motion on the clock and in the space frame of a file.

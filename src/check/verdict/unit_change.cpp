@@ -9,6 +9,7 @@
 
 #include "check/conventions/units.h"
 #include "check/reading/row_reader.h"
+#include "check/verdict/stop.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -80,13 +81,14 @@ table::BadTable unit_change(const Level& level, const char* what, const char* re
 }  // namespace
 
 void require_one_unit(const std::filesystem::path& file, const Convention& convention,
-                      const Eigen::Matrix3d& inertia) {
+                      const Eigen::Matrix3d& inertia, const std::atomic<bool>* stop) {
   // A radian is 57 degrees, a revolution 6.3 radians, and a minute 60 s. Errors change |L| slowly.
   Level momentum(4, 1.5), interval(30, 3);
   RowReader reader(file, convention);
   Row row;
   std::optional<double> last;
   while (reader.next(row)) {
+    throw_if_stopped(stop);
     const std::string place = reader.place();
     if (reader.has_rates()) momentum.add((inertia * row.omega).norm(), place);
     if (last) interval.add(row.t - *last, place);

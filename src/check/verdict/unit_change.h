@@ -11,6 +11,6 @@ namespace twrench::check {
 /// the ratio of two units and stays changed; the error names the row where that begins. Otherwise
 /// throws as RowReader does.
 void require_one_unit(const std::filesystem::path& file, const Convention& convention,
-                      const Eigen::Matrix3d& inertia);
+                      const Eigen::Matrix3d& inertia, const std::atomic<bool>* stop);
 
 }  // namespace twrench::check

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 
+#include <atomic>
 #include <random>
 
 #include "check/recordings.h"
@@ -72,6 +73,11 @@ TEST(Fit, NeedsTwoRowsAndABodyThatTurns) {
   const std::vector<Row> rows = exact_rows(1);
   EXPECT_THROW(fit(inertia, rows, omega, true, true), CheckError);
   EXPECT_THROW(fit(inertia, exact_rows(5), Vector3d::Zero(), true, true), CheckError);
+}
+
+TEST(Fit, EndsIfItIsStopped) {
+  const std::atomic<bool> stop = true;
+  EXPECT_THROW(fit(inertia, exact_rows(), omega, true, true, &stop), CheckError);
 }
 
 TEST(OmegaBetween, IsExactOverLongSteps) {

@@ -6,10 +6,12 @@
 #include <twrench/math/so3.h>
 #include <twrench/motion/trajectory.h>
 
+#include <atomic>
 #include <functional>
 
 #include "check/recordings.h"
 #include "check/verdict/error.h"
+#include "check/verdict/unit_change.h"
 #include "motion/reference.h"
 
 namespace twrench::check {
@@ -50,6 +52,19 @@ TEST(Judge, MeasuresTheLargestComponentAndTheAngle) {
   EXPECT_EQ(judgement.attitude->at, 20);
   EXPECT_NEAR(judgement.attitude->rms, 5e-5 / std::sqrt(401), 1e-12);
   EXPECT_FALSE(judgement.within_digits);
+}
+
+TEST(Judge, EndsIfItIsStopped) {
+  const std::atomic<bool> stop = true;
+  Problem problem = tumbling_problem();
+  problem.stop = &stop;
+  EXPECT_THROW(judged(exact_rows(), Parts::both, problem), CheckError);
+  const ScratchFolder folder;
+  system::write_file_atomically(folder / "rows.csv", csv_of(exact_rows(), Parts::rates));
+  const Convention convention = own_names(Parts::rates);
+  EXPECT_THROW(require_one_unit(folder / "rows.csv", convention, problem.inertia, &stop),
+               CheckError);
+  EXPECT_NO_THROW(require_one_unit(folder / "rows.csv", convention, problem.inertia, nullptr));
 }
 
 // Late by 1e-3 s: the same polhode, later.
