@@ -51,11 +51,13 @@ check::Bounds bounds_of(const std::map<std::string, double>& given) {
 }
 
 /// Returns the JSON of `twrench check`.
-std::string check_recording(const std::string& file, const Eigen::Matrix3d& inertia,
-                            const std::optional<Eigen::Vector3d>& omega,
-                            std::optional<double> omega_time, bool fit, const OptionTexts& texts,
-                            bool inverse, const std::optional<Eigen::Vector4d>& offset,
-                            const std::map<std::string, double>& bounds) {
+std::string check_recordings(const std::vector<std::string>& files,
+                             const std::vector<double>& steps, const Eigen::Matrix3d& inertia,
+                             const std::optional<Eigen::Vector3d>& omega,
+                             std::optional<double> omega_time, bool fit, const OptionTexts& texts,
+                             bool inverse, const std::optional<Eigen::Vector4d>& offset,
+                             const std::map<std::string, double>& bounds) {
+  for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
   check::Problem problem{.inertia = inertia};
   if (omega) problem.omega = scene::limits::check_omega("omega", *omega);
   problem.omega_time = omega_time;
@@ -63,8 +65,9 @@ std::string check_recording(const std::string& file, const Eigen::Matrix3d& iner
   problem.frame = find_enumerator<check::FrameSource>(texts.at("frame"), "frame");
   const check::Convention convention = convention_of(texts, inverse, offset);
   const check::Bounds most = bounds_of(bounds);
-  return run_interruptibly([&](const std::atomic<bool>&) {
-    return check::check_json({{check::check_file(file, convention, problem, most)}, {}});
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    problem.stop = &stop;
+    return check::check_json(check::check_files(files, steps, convention, problem, most));
   });
 }
 
@@ -107,7 +110,7 @@ std::string compare_pictures(const std::string& expected, const std::string& act
 }  // namespace
 
 void add_checks(py::module_& module) {
-  module.def("check", &check_recording);
+  module.def("check", &check_recordings);
   module.def("compare", &compare_pictures);
 }
 

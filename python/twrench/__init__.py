@@ -7,7 +7,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0 unless an ``attit
 from . import plots
 from ._native import version as __version__
 from .body import Body
-from .check import Check, ErrorSize, check
+from .check import Check, CheckOrder, Checks, ErrorSize, check
 from .compare import Comparison, FrameComparison, compare
 from .errors import (
     EncoderError,
@@ -42,6 +42,8 @@ __all__ = [
     "Box",
     "Capsule",
     "Check",
+    "CheckOrder",
+    "Checks",
     "Comparison",
     "Cone",
     "Cylinder",

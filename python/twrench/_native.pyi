@@ -279,7 +279,8 @@ def write_samples(file: str, body: FreeBody, times: _Array, X: _Array, omega: _A
 def write_file(file: Path, content: bytes) -> None: ...
 def require_not_input(output: Path, input: Path) -> None: ...
 def check(
-    file: str,
+    files: list[str],
+    steps: list[float],
     inertia: _Array,
     omega: _Array | None,
     omega_time: float | None,

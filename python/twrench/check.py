@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import tempfile
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, Mapping, Union
+from typing import Any, Iterator, Literal, Mapping, Sequence, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from .motion import Motion
 from .names import Numbers, StrPath
 from .published import case as published_case
 
-__all__ = ["Check", "ErrorSize", "check"]
+__all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "check"]
 
 FrameSource = Literal["first", "momentum"]
 RateAxes = Literal["body", "space"]
@@ -31,6 +32,9 @@ Finding = Literal[
 ]
 #: A file, a motion, or a mapping of names to columns.
 Recording = Union[StrPath, Motion, Mapping[str, Numbers]]
+R = TypeVar("R", bound=Recording)
+#: Several recordings.
+Recordings = Union["list[R]", "tuple[R, ...]"]
 
 
 @dataclass(frozen=True)
@@ -77,10 +81,90 @@ class Check:
     details: dict[str, Any] = field(repr=False)
 
 
+@dataclass(frozen=True)
+class CheckOrder:
+    """The exponents of the largest errors as functions of the step."""
+
+    #: The order of the rates; None if the recordings do not determine it.
+    rates: float | None
+    #: The order of the attitude; None if the recordings do not determine it.
+    attitude: float | None
+    #: Why there is no order; None if there is one.
+    why_not: str | None
+
+
+@dataclass(frozen=True)
+class Checks:
+    """The result of :func:`check` for several recordings."""
+
+    #: The results in the order of the recordings.
+    files: list[Check]
+    #: The order of the method that computed them.
+    order: CheckOrder
+
+    @property
+    def passes(self) -> bool:
+        """Whether all of them pass."""
+        return all(found.passes for found in self.files)
+
+
+@overload
 def check(
     data: Recording,
     body: Body | None = None,
     *,
+    steps: Numbers | None = ...,
+    case: str | None = ...,
+    omega: Numbers | None = ...,
+    omega_at: float | Literal["first"] = ...,
+    fit: bool = ...,
+    frame: FrameSource = ...,
+    columns: Mapping[str, str] | None = ...,
+    time_unit: TimeUnit | None = ...,
+    units: RateUnit | None = ...,
+    angle_units: AngleUnit | None = ...,
+    sequence: str | None = ...,
+    inverse: bool = ...,
+    rates: RateAxes = ...,
+    axes: str | None = ...,
+    offset: Numbers | None = ...,
+    max_attitude_error: float | None = ...,
+    max_rate_error: float | None = ...,
+    max_energy_drift: float | None = ...,
+) -> Check: ...
+
+
+@overload
+def check(
+    data: Recordings[R],
+    body: Body | None = None,
+    *,
+    steps: Numbers | None = ...,
+    case: str | None = ...,
+    omega: Numbers | None = ...,
+    omega_at: float | Literal["first"] = ...,
+    fit: bool = ...,
+    frame: FrameSource = ...,
+    columns: Mapping[str, str] | None = ...,
+    time_unit: TimeUnit | None = ...,
+    units: RateUnit | None = ...,
+    angle_units: AngleUnit | None = ...,
+    sequence: str | None = ...,
+    inverse: bool = ...,
+    rates: RateAxes = ...,
+    axes: str | None = ...,
+    offset: Numbers | None = ...,
+    max_attitude_error: float | None = ...,
+    max_rate_error: float | None = ...,
+    max_energy_drift: float | None = ...,
+) -> Checks: ...
+
+
+def check(
+    data: Recording | Recordings[Any],
+    body: Body | None = None,
+    *,
+    steps: Numbers | None = None,
     case: str | None = None,
     omega: Numbers | None = None,
     omega_at: float | Literal["first"] = 0.0,
@@ -98,13 +182,14 @@ def check(
     max_attitude_error: float | None = None,
     max_rate_error: float | None = None,
     max_energy_drift: float | None = None,
-) -> Check:
+) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
     :param data: a CSV, TSV, JSON or .npy file; a :class:`Motion`; or a mapping of names to columns,
         each (n,), such as ``{"t": t, "wx": wx, "wy": wy, "wz": wz}``: times, and rates, attitudes or
-        both.
+        both. A list or tuple of such recordings gives a :class:`Checks`, with the order of the method.
     :param body: the body, unless ``case`` gives it.
+    :param steps: step sizes of the recordings in s, (m,); None for the mean times between rows.
     :param case: name of a published case, which gives the body and the initial rates.
     :param omega: angular velocity at ``omega_at`` in body axes in rad/s, (3,); None for that of the
         first row.
@@ -145,7 +230,8 @@ def check(
         "axes": _name("axes", axes),
         "frame": _arguments.text("frame", frame),
     }
-    at = None if omega_at == "first" else _arguments.number("omega_at", omega_at)
+    is_first = isinstance(omega_at, str) and omega_at == "first"
+    at = None if is_first else _arguments.number("omega_at", omega_at)
     bounds = {
         "max_attitude_error": max_attitude_error,
         "max_rate_error": max_rate_error,
@@ -154,26 +240,28 @@ def check(
     given = {
         key: _arguments.number(key, value) for key, value in bounds.items() if value is not None
     }
-
-    def judge(file: str) -> Check:
-        with argument_names():
-            text = _native.check(
-                file, inertia, start, at, bool(fit), options, bool(inverse), turn, given
-            )
-        return _result(json.loads(text))
-
-    if not isinstance(data, (Motion, Mapping)):
-        return judge(_arguments.path("data", data))
-    with tempfile.TemporaryDirectory(prefix="twrench-") as folder:
-        file = Path(folder) / "data.npy"
-        np.save(file, _table_of(data))
-        try:
-            found = judge(str(file))
-        except Error as error:
-            message = error.message.replace(str(file), "data")
-            raise type(error)(message, error.remedy.replace(str(file), "data")) from None
-    found.details["file"] = "data"
-    return found
+    if isinstance(data, (list, tuple)):
+        recordings = list(data)
+        names = [f"data[{i}]" for i in range(len(recordings))]
+    else:
+        recordings, names = [data], ["data"]
+    if not recordings:
+        raise UsageError("data: must have at least one recording")
+    lengths = [] if steps is None else _step_sizes(steps, len(recordings))
+    with _files(names, recordings) as files, argument_names():
+        text = _native.check(
+            files, lengths, inertia, start, at, bool(fit), options, bool(inverse), turn, given
+        )
+    found = json.loads(text)
+    documents = [found] if len(recordings) == 1 else found["files"]
+    for name, recording, document in zip(names, recordings, documents):
+        if isinstance(recording, (Motion, Mapping)):
+            document["file"] = name
+    results = [_result(document) for document in documents]
+    if not isinstance(data, (list, tuple)):
+        return results[0]
+    order = CheckOrder(None, None, None) if len(recordings) == 1 else CheckOrder(**found["order"])
+    return Checks(results, order)
 
 
 def _problem(
@@ -189,18 +277,49 @@ def _problem(
     return given.inertia, None if omega is None else _arguments.vector("omega", omega)
 
 
+def _step_sizes(steps: Numbers, count: int) -> list[float]:
+    sizes: list[float] = _arguments.array("steps", steps, (None,), "step sizes in s").tolist()
+    if len(sizes) != count:
+        raise UsageError(f"steps: has {len(sizes)} step sizes for {count} recordings")
+    return sizes
+
+
+@contextmanager
+def _files(names: list[str], recordings: Sequence[Any]) -> Iterator[list[str]]:
+    """The files of recordings. Those of arrays are temporary, and error messages show the names."""
+    with tempfile.TemporaryDirectory(prefix="twrench-") as folder:
+        files = []
+        for i, (name, recording) in enumerate(zip(names, recordings)):
+            if isinstance(recording, (Motion, Mapping)):
+                files.append(str(Path(folder) / f"{i}.npy"))
+                np.save(files[i], _table_of(name, recording))
+            else:
+                files.append(_arguments.path(name, recording))
+        try:
+            yield files
+        except Error as error:
+            message, remedy = error.message, error.remedy
+            for i, name in enumerate(names):
+                temporary = str(Path(folder) / f"{i}.npy")
+                message = message.replace(temporary, name)
+                remedy = remedy.replace(temporary, name)
+            raise type(error)(message, remedy) from None
+
+
 def _name(name: str, value: str | None) -> str:
     return "" if value is None else _arguments.text(name, value)
 
 
 def _columns_text(columns: Mapping[str, str]) -> str:
+    if not isinstance(columns, Mapping):
+        raise UsageError(f"columns: must be a mapping of names, not {_arguments.brief(columns)}")
     return ",".join(
         f'{_arguments.text("columns", ours)}="{_arguments.text("columns", theirs)}"'
         for ours, theirs in columns.items()
     )
 
 
-def _table_of(data: Motion | Mapping[str, Numbers]) -> NDArray[np.void]:
+def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.void]:
     """The columns as a structured array of NumPy."""
     if isinstance(data, Motion):
         columns = {"t": data.t}
@@ -209,16 +328,18 @@ def _table_of(data: Motion | Mapping[str, Numbers]) -> NDArray[np.void]:
         columns |= {f"w{axis}": data.omega[:, i] for i, axis in enumerate("xyz")}
     else:
         form = "a one-dimensional array of numbers"
+        if not data:
+            raise UsageError(f"{name}: must have columns")
         columns = {
-            _arguments.text("data", name): _arguments.array(f"data[{name!r}]", value, (None,), form)
-            for name, value in data.items()
+            _arguments.text(name, key): _arguments.array(f"{name}[{key!r}]", value, (None,), form)
+            for key, value in data.items()
         }
     lengths = {len(column) for column in columns.values()}
     if len(lengths) != 1:
-        raise UsageError("data: must have columns of the same length")
-    table = np.empty(lengths.pop(), dtype=[(name, np.float64) for name in columns])
-    for name, column in columns.items():
-        table[name] = column
+        raise UsageError(f"{name}: must have columns of the same length")
+    table = np.empty(lengths.pop(), dtype=[(key, np.float64) for key in columns])
+    for key, column in columns.items():
+        table[key] = column
     return table
 
 

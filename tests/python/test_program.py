@@ -33,6 +33,8 @@ COUNTERPARTS: dict[str, Callable[..., Any] | type] = {
     "cases": twrench.cases,
     "schema": twrench.schema,
 }
+#: A recording that can be checked.
+GOOD = {"t": [0, 1, 2, 3], "wx": 4 * [1], "wy": 4 * [0], "wz": 4 * [0]}
 #: Commands about the program and its machine, which have no counterpart.
 OF_THE_PROGRAM = {"doctor", "help"}
 
@@ -137,6 +139,52 @@ def test_a_check_is_that_of_the_program(program, tmp_path):
     bound = twrench.check(file, body, max_rate_error=1)
     assert bound.passes
     assert bound.details == json.loads(program("check", *options, "--max-rate-error", 1))
+
+
+def test_the_order_of_several_recordings_is_that_of_the_program(program, tmp_path):
+    body = twrench.Body(moments=[2, 3, 4])
+    steps = [0.04, 0.02, 0.01]
+    motions, files = [], []
+    for h in steps:
+        times = h * np.arange(round(8 / h) + 1)
+        motions.append(twrench.simulate(body, [0.1, 1, 0.2], times, "rkmk4", step=h))
+        files.append(motions[-1].save(tmp_path / f"{h}.csv"))
+    options = ["--inertia", "2,3,4", "--no-fail", "--format", "json"]
+    expected = json.loads(program("check", *files, *options))
+    found = twrench.check(files, body)
+    assert isinstance(found, twrench.Checks) and not found.passes
+    assert [of.details for of in found.files] == expected["files"]
+    assert vars(found.order) == expected["order"]
+    assert found.order.rates == pytest.approx(4, abs=0.1) and found.order.why_not is None
+    for mixed in (tuple(motions), [files[0], motions[1], files[2]]):
+        of_arrays = twrench.check(mixed, body)
+        assert of_arrays.order.attitude == pytest.approx(found.order.attitude, rel=1e-6)
+    assert [of.details["file"] for of in of_arrays.files] == [str(files[0]), "data[1]", str(files[2])]
+    doubled = twrench.check(files, body, steps=[0.4, 0.2, 0.1], max_rate_error=1)
+    assert doubled.passes and doubled.order.rates == pytest.approx(found.order.rates)
+    assert [of.details["step"] for of in doubled.files] == [0.4, 0.2, 0.1]
+    same = twrench.check([motions[0], motions[0]], body)
+    assert same.order.rates is None and "same time between rows" in same.order.why_not
+    (alone,) = twrench.check([motions[0]], body).files
+    assert alone.rates == twrench.check(motions[0], body).rates
+
+
+@pytest.mark.parametrize(
+    ("data", "arguments", "message"),
+    [
+        ([], {}, "^data: must have at least one recording"),
+        ([{"t": [0, 1], "wx": [1]}], {}, r"^data\[0\]: must have columns of the same length"),
+        ([GOOD, {"t": [0], "wx": ["a"]}], {}, r"^data\[1\]\['wx'\]: must be a one-dim"),
+        ([GOOD, {**GOOD, "t": [0, 1, 1, 3]}], {}, r"^data\[1\].*the time 1 is that of the row before"),
+        ([GOOD, 3], {}, r"^data\[1\]: must be a path, not 3"),
+        ([GOOD, GOOD], {"steps": [1]}, "^steps: has 1 step sizes for 2 recordings"),
+        ([GOOD, GOOD], {"steps": [1, -1]}, "^steps: is -1, but must be"),
+        (GOOD, {"steps": 1}, "^steps: must be step sizes"),
+    ],
+)
+def test_wrong_checks_of_several_recordings(data, arguments, message):
+    with pytest.raises(twrench.Error, match=message):
+        twrench.check(data, twrench.Body(moments=[2, 3, 4]), **arguments)
 
 
 def test_arrays_are_checked_without_loss():

@@ -36,6 +36,10 @@ twrench.simulate(body, np.array([1, 0, 0]), span=(0, 10), fps=60, attitude=motio
 twrench.exact(body, [1, 0, 0], attitude=[1, 0, 0, 0]).at([0, 1])
 scene = Scene("phone", size=(640, 360), theme="paper", body=body, show={"floor", "hud"})
 scene.method = "cf4"
+checks = twrench.check([motion, motion], body, steps=[0.1, 0.05])
+same: twrench.Checks = twrench.check(("a.csv", "b.csv"), body, units="deg")
+order: float | None = checks.order.rates
+verdict: str = twrench.check("a.csv", body).verdict
 for method in twrench.methods():
     twrench.simulate(body, [1, 0, 0], [0], method.name)
 scene.export("a.glb", format="glb", max_angle=1e-3)

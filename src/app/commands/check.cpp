@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -47,22 +45,7 @@ std::vector<double> given_steps(const CheckOptions& options) {
   if (options.steps.empty()) return {};
   const std::vector<double> steps = parse_numbers(options.steps, "--steps");
   for (const double step : steps) scene::limits::check(scene::limits::step, "--steps", step);
-  if (steps.size() == options.files.size()) return steps;
-  throw InvalidArgument(
-      "--steps", fmt::format("has {} step sizes for {} files", steps.size(), options.files.size()));
-}
-
-check::CheckResult check_files(const CheckOptions& options, const check::Bounds& bounds) {
-  const std::vector<double> steps = given_steps(options);
-  const check::Problem problem = options.setup.problem();
-  const check::Convention given = options.setup.convention();
-  check::CheckResult result;
-  for (std::size_t i = 0; i < options.files.size(); ++i) {
-    result.files.push_back(check::check_file(options.files[i], given, problem, bounds));
-    if (!steps.empty()) result.files.back().step = steps[i];
-  }
-  result.orders = check::orders_of(result.files, !steps.empty());
-  return result;
+  return steps;
 }
 
 std::string report(const CheckOptions& options, const check::CheckResult& result) {
@@ -100,7 +83,9 @@ ExitCode run_check(const CheckOptions& options) {
   options.setup.require_not_input(options.output);
   options.setup.require_not_input(options.plot);
   if (!options.plot.empty()) plot::require_gnuplot(options.plot);
-  const check::CheckResult result = check_files(options, bounds_of(options));
+  const check::CheckResult result =
+      check::check_files(options.files, given_steps(options), options.setup.convention(),
+                         options.setup.problem(), bounds_of(options));
   system::Output output(options.output);  // write both it and the plot, or neither
   output.write(report(options, result));
   if (!options.plot.empty()) draw(options.plot, result);

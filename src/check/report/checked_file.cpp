@@ -84,8 +84,6 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
   return {};
 }
 
-}  // namespace
-
 CheckedFile check_file(const std::string& name, const Convention& given, const Problem& problem,
                        const Bounds& bounds) {
   const Convention convention = choose_convention(name, given, problem);
@@ -100,6 +98,7 @@ CheckedFile check_file(const std::string& name, const Convention& given, const P
   return file;
 }
 
+/// How the errors of files depend on their steps. `has_steps` is whether the user gave these.
 CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
   if (files.size() < 2) return {};
   CheckOrders orders{{}, {}, why_no_order(files, has_steps)};
@@ -111,6 +110,23 @@ CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
         "fewer than two files have errors that their digits do not explain and that can still grow";
   }
   return orders;
+}
+
+}  // namespace
+
+CheckResult check_files(const std::vector<std::string>& names, const std::vector<double>& steps,
+                        const Convention& given, const Problem& problem, const Bounds& bounds) {
+  if (!steps.empty() && steps.size() != names.size()) {
+    throw InvalidArgument(
+        "--steps", fmt::format("has {} step sizes for {} files", steps.size(), names.size()));
+  }
+  CheckResult result;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    result.files.push_back(check_file(names[i], given, problem, bounds));
+    if (!steps.empty()) result.files.back().step = steps[i];
+  }
+  result.orders = orders_of(result.files, !steps.empty());
+  return result;
 }
 
 }  // namespace twrench::check

@@ -17,13 +17,12 @@ struct Bounds {
   std::optional<double> energy_drift;    ///< relative
 };
 
-/// Judges a file. `given` is its convention as far as it is known. Throws as choose_convention()
-/// and judge() do, and InvalidArgument if a bound is for a quantity that the file does not have.
-CheckedFile check_file(const std::string& name, const Convention& given, const Problem& problem,
-                       const Bounds& bounds);
-
-/// Returns how the errors of files depend on their steps. `has_steps` is whether the user gave
-/// these.
-CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps);
+/// Judges files of one problem, and how their errors depend on their steps. `steps` has the step
+/// size of each file in s; if it is empty, the steps are the mean times between rows. `given` is
+/// the convention of the files as far as it is known. Throws as choose_convention() and judge() do,
+/// and InvalidArgument if a bound is for a quantity that a file does not have, or the number of
+/// steps is not that of the files.
+CheckResult check_files(const std::vector<std::string>& names, const std::vector<double>& steps,
+                        const Convention& given, const Problem& problem, const Bounds& bounds);
 
 }  // namespace twrench::check
