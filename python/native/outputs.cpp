@@ -6,6 +6,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "page/page_html.h"
+#include "page/site_html.h"
 #include "plot/gnuplot.h"
 #include "report/attitude_curve.h"
 #include "report/command_lines.h"
@@ -82,8 +84,10 @@ struct ScenePage {
   std::string policy;
 };
 
+/// Throws Stopped between the steps.
 ScenePage page_of(const Scene& scene, const Scene& original, const std::string& source,
-                  const Texts& source_options, const std::string& template_file) {
+                  const Texts& source_options, const std::string& template_file,
+                  const std::atomic<bool>& stop) {
   const std::string empty = page::page_template(template_file);
   page::require_shown(scene);
   const page::PageScene shown{scene, original, source, source_options};
@@ -94,16 +98,26 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
   } catch (const gl::GlError& error) {
     notes.push_back(fmt::format("the page has no fallback picture: {}", error.what()));
   }
+  if (stop) throw Stopped{};
   page::PageDocument page = page::page_html(empty, shown, poster);
   page.notes.insert(page.notes.end(), notes.begin(), notes.end());
   return {std::move(page), std::move(poster), page::content_policy(empty)};
 }
 
-page::PageDocument make_page(const Scene& scene, const Scene& original, const std::string& source,
-                             const Texts& source_options, const std::string& template_file) {
-  return run_interruptibly([&](const std::atomic<bool>&) {
-    return page_of(scene, original, source, source_options, template_file).page;
+ScenePage make_page(const Scene& scene, const Scene& original, const std::string& source,
+                    const Texts& source_options, const std::string& template_file) {
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    return page_of(scene, original, source, source_options, template_file, stop);
   });
+}
+
+/// The index of a folder of pages, each given by its file, title, description and poster.
+std::string site_html(const std::vector<std::array<std::string, 4>>& pages) {
+  std::vector<page::SiteEntry> entries;
+  for (const auto& [file, title, description, poster] : pages) {
+    entries.push_back({file, title, description, poster});
+  }
+  return page::site_html(entries);
 }
 
 /// Returns notes.
@@ -137,8 +151,8 @@ Texts write_report(const Scene& scene, const Scene& original, const Texts& sourc
     std::optional<report::Viewer> viewer;
     Texts notes;
     if (interactive) {
-      ScenePage page =
-          page_of(scene, original, words.front(), Texts(source.begin() + 1, source.end()), {});
+      ScenePage page = page_of(scene, original, words.front(),
+                               Texts(source.begin() + 1, source.end()), {}, stop);
       notes = page.page.notes;
       viewer = {std::move(page.page.html), std::move(page.policy), std::move(page.poster)};
     }
@@ -239,10 +253,12 @@ void write_samples(const std::string& file, const motion::FreeBody& body, const 
 }  // namespace
 
 void add_outputs(py::module_& module) {
-  py::class_<page::PageDocument>(module, "Page")
-      .def_readonly("html", &page::PageDocument::html)
-      .def_readonly("notes", &page::PageDocument::notes);
+  py::class_<ScenePage>(module, "Page")
+      .def_property_readonly("html", [](const ScenePage& page) { return page.page.html; })
+      .def_property_readonly("notes", [](const ScenePage& page) { return page.page.notes; })
+      .def_readonly("poster", &ScenePage::poster);
   module.def("page", &make_page);
+  module.def("site_html", &site_html);
   module.def("report", &write_report);
   module.def("export_motion", &export_motion);
   module.def("draw_plot", &draw_plot);
@@ -252,6 +268,7 @@ void add_outputs(py::module_& module) {
   module.def("write_file", [](const fs::path& file, const std::string& bytes) {
     system::write_file_atomically(file, std::string_view(bytes));
   });
+  module.def("make_folder", &system::make_folder);
   module.def("require_not_input", &system::require_not_input);
 }
 

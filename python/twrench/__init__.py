@@ -34,6 +34,7 @@ from .motion import (
 )
 from .published import case, cases
 from .scene import Scene, scenes, schema
+from .site import pages
 from .solids import Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
 from .study import MethodStudy, Study, StudyRun, study
 
@@ -84,6 +85,7 @@ __all__ = [
     "exact_many",
     "first_flip_times",
     "methods",
+    "pages",
     "plots",
     "scenes",
     "schema",

@@ -40,6 +40,8 @@ checks = twrench.check([motion, motion], body, steps=[0.1, 0.05])
 same: twrench.Checks = twrench.check(("a.csv", "b.csv"), body, units="deg")
 order: float | None = checks.order.rates
 verdict: str = twrench.check("a.csv", body).verdict
+for path in (twrench.pages("site", theme="paper"), twrench.pages("site", template="t.html")):
+    print(path.name)
 for method in twrench.methods():
     twrench.simulate(body, [1, 0, 0], [0], method.name)
 scene.export("a.glb", format="glb", max_angle=1e-3)

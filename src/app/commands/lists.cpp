@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
-#include "app/reports/motion_summary.h"
+#include "scene/motion_summary.h"
 #include "scene/scene.h"
 #include "system/output.h"
 

@@ -5,11 +5,11 @@
 #include "app/commands/commands.h"
 #include "app/options/option_group.h"
 #include "app/options/scene_options.h"
-#include "app/reports/motion_summary.h"
 #include "app/reports/poster.h"
 #include "app/terminal/message.h"
 #include "page/page_html.h"
 #include "page/site_html.h"
+#include "scene/motion_summary.h"
 #include "system/file.h"
 #include "system/output.h"
 

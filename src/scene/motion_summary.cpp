@@ -1,11 +1,11 @@
-#include "app/reports/motion_summary.h"
+#include "scene/motion_summary.h"
 
 #include <fmt/format.h>
 #include <twrench/motion/exact.h>
 
 #include "scene/prediction.h"
 
-namespace twrench::app {
+namespace twrench::scene {
 namespace {
 
 /// "1 : 1.36 : 2.18", the principal moments as multiples of the least.
@@ -26,12 +26,12 @@ std::string flips(const motion::FreeBody& body) {
 
 }  // namespace
 
-std::string motion_summary(const scene::Scene& scene) {
-  const motion::FreeBody body = scene::free_body(scene);
+std::string motion_summary(const Scene& scene) {
+  const motion::FreeBody body = free_body(scene);
   const motion::Tilt tilt(body);
   return fmt::format("{}; moments {}; {}",
-                     scene::prediction(body.principal(), tilt.axis(), tilt.steady_rate()),
+                     prediction(body.principal(), tilt.axis(), tilt.steady_rate()),
                      ratio_of_moments(body.principal().moments), flips(body));
 }
 
-}  // namespace twrench::app
+}  // namespace twrench::scene

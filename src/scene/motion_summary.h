@@ -4,10 +4,10 @@
 
 #include "scene/scene.h"
 
-namespace twrench::app {
+namespace twrench::scene {
 
 /// Returns the effect of a small tilt of the body, the ratio of its moments, and how often it
 /// flips.
-std::string motion_summary(const scene::Scene& scene);
+std::string motion_summary(const Scene& scene);
 
-}  // namespace twrench::app
+}  // namespace twrench::scene
