@@ -12,6 +12,8 @@ from . import _native
 from .errors import UsageError
 
 Array = NDArray[np.float64]
+#: The most numbers of an array: 2.4 GB.
+MOST_NUMBERS = 3 * 10**8
 T = TypeVar("T")
 
 
@@ -24,20 +26,26 @@ def brief(value: Any) -> str:
 
 
 def array(name: str, value: ArrayLike, shape: tuple[int | None, ...], form: str) -> Array:
-    """A C-contiguous array of finite doubles; None in `shape` allows any length, `form` describes it."""
+    """A copy as a C-contiguous array of finite doubles, which later changes of `value` do not change.
+
+    None in `shape` allows any length, `form` describes the array.
+    """
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise UsageError(f"{name}: has masked entries")
     refused = UsageError(f"{name}: must be {form}, not {brief(value)}")
     try:
         given = np.asarray(value)
-        if given.dtype.kind not in "fiu":
-            raise refused
-        result = np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise refused from error
-    # ascontiguousarray makes a scalar one-dimensional.
-    if given.ndim != len(shape) or any(
-        wanted is not None and wanted != length for wanted, length in zip(shape, given.shape)
+    if (
+        given.dtype.kind not in "fiu"
+        or given.ndim != len(shape)
+        or any(wanted not in (None, length) for wanted, length in zip(shape, given.shape))
     ):
         raise refused
+    if given.size > MOST_NUMBERS:  # before a copy of a repeated array fills the memory
+        raise UsageError(f"{name}: has {given.size} numbers, the limit is {MOST_NUMBERS}")
+    result = np.array(given, dtype=np.float64, order="C")
     if not np.isfinite(result).all():
         raise UsageError(f"{name}: must be finite, but has a NaN or an infinity")
     return result
@@ -87,7 +95,7 @@ def _span_times(span: ArrayLike, fps: float) -> Array:
     start, end = array("span", span, (2,), "two times in s, (start, end)")
     if not start < end:
         raise UsageError(f"span: must end after it starts, not {brief(span)}")
-    most = 10**8
+    most = MOST_NUMBERS // 3
     if (end - start) * fps > most:
         raise UsageError(f"span: has more than {most} samples at fps={fps:g}")
     # Rounding must not leave two samples at nearly the same time at the end.
@@ -179,4 +187,19 @@ def path(name: str, value: Any) -> str:
         raise UsageError(f"{name}: must be a path of type str, not {brief(result)}")
     if not result or "\0" in result:
         raise UsageError(f"{name}: must be a path, not {brief(result)}")
+    try:
+        result.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise UsageError(f"{name}: must be a path in UTF-8, not {brief(result)}") from error
     return result
+
+
+def sequence(name: str, value: Any, form: str) -> list[Any]:
+    """The items of an iterable other than a string; `form` describes them."""
+    refused = UsageError(f"{name}: must be {form}, not {brief(value)}")
+    if isinstance(value, (str, bytes)):
+        raise refused
+    try:
+        return list(value)
+    except TypeError as error:
+        raise refused from error

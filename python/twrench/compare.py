@@ -82,7 +82,7 @@ def compare(
     :raises FileError: if a picture cannot be read, or a file cannot be written.
     """
     areas = []
-    for area in ignore:
+    for area in _arguments.sequence("ignore", ignore, "a list of rectangles"):
         if not isinstance(area, (tuple, list)) or len(area) != 4:
             raise UsageError(
                 f"ignore: must be rectangles (x, y, width, height), not {_arguments.brief(area)}"

@@ -136,7 +136,7 @@ def frame_range(frames: str | Iterable[int] | None) -> str:
     if isinstance(frames, str):
         if not frames:
             raise UsageError("frames: must be a range such as '0-99', not an empty string")
-        return frames
+        return _arguments.text("frames", frames)
     try:
         numbers = [_arguments.whole("frames", number, 0, 10**7) for number in frames]
     except TypeError as error:

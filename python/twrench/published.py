@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any, cast
 
-from . import _native
-from .errors import UsageError
+from . import _arguments, _native
 
 __all__ = ["case", "cases"]
 
@@ -25,6 +24,4 @@ def case(name: str) -> dict[str, Any]:
     ones, and ``exact`` the exact states: ``t`` in s, ``omega`` in rad/s, ``quaternion`` (scalar
     first, space from body), ``energy`` and ``momentum`` (space axes) in the unit of the moments, per
     s^2 and per s. Raises :class:`twrench.UsageError` if there is no case of that name."""
-    if not isinstance(name, str):
-        raise UsageError(f"name: must be a string, not {type(name).__name__}")
-    return cast("dict[str, Any]", json.loads(_native.case_json(name)))
+    return cast("dict[str, Any]", json.loads(_native.case_json(_arguments.text("name", name))))

@@ -445,9 +445,13 @@ class Scene:
         """
         return self._drawing().png(self._index(index, time))
 
+    def _snapshot(self) -> _native.Scene:
+        """A copy, which other threads do not change while it is used without Python's global lock."""
+        return _native.Scene(self._native)
+
     def _drawing(self) -> _native.FrameDrawer:
         if self._drawer is None:
-            self._drawer = _native.FrameDrawer(_native.Scene(self._native), "auto")
+            self._drawer = _native.FrameDrawer(self._snapshot(), "auto")
         return self._drawer
 
     def _index(self, index: int | None, time: float | None) -> int:
@@ -459,11 +463,11 @@ class Scene:
             return number % count
         if self._native.has_shots():
             raise UsageError("time: a film with shots may show it twice; give index instead")
-        number = round(_arguments.number("time", time) * self.fps / self.speed)
+        place = _arguments.number("time", time) * self.fps / self.speed
         last = (count - 1) * self.speed / self.fps
-        if not 0 <= number < count:
+        if not -0.5 <= place < count - 0.5:
             raise UsageError(f"time: must be from 0 to {last:g} s, not {time}")
-        return number
+        return round(place)
 
     def picture(self, t: float) -> Picture:
         """The frame nearest to the time ``t`` of the motion, in s, for display in a notebook.
@@ -496,7 +500,7 @@ class Scene:
 
     def _page(self, template: str) -> _native.Page:
         words = _mesh_words(self._of_mesh)
-        page = _native.page(self._native, self._original, self._source, words, template)
+        page = _native.page(self._snapshot(), self._original, self._source, words, template)
         for note in page.notes:
             warnings.warn(note, stacklevel=3)
         return page
@@ -536,7 +540,7 @@ class Scene:
         source = [self._source, *_mesh_words(self._of_mesh)]
         with argument_names():
             notes = _native.report(
-                self._native, self._original, source, str(file), author, date, bool(static)
+                self._snapshot(), self._original, source, str(file), author, date, bool(static)
             )
         for note in notes:
             warnings.warn(note, stacklevel=2)
@@ -568,7 +572,7 @@ class Scene:
         file = self._output(path)
         with argument_names():
             notes = _native.export_motion(
-                self._native,
+                self._snapshot(),
                 str(file),
                 "" if format is None else _arguments.text("format", format),
                 _arguments.positive("max_angle", max_angle),
@@ -591,11 +595,11 @@ class Scene:
         :raises Error: if gnuplot is needed, but is missing or fails.
         """
         if path is not None:
-            _native.draw_plot(self._native, str(self._output(path)), bool(overlay))
+            _native.draw_plot(self._snapshot(), str(self._output(path)), bool(overlay))
         try:
             from matplotlib.figure import Figure
         except ImportError:
-            return _native.plot_svg(self._native, bool(overlay))
+            return _native.plot_svg(self._snapshot(), bool(overlay))
         return _matplotlib_figure(Figure, self, overlay)
 
     def _output(self, path: StrPath) -> Path:
@@ -659,7 +663,7 @@ class Scene:
         drawn_by = _arguments.text("backend", backend)
         with reporting(progress) as report:
             count = _native.render(
-                self._native,
+                self._snapshot(),
                 video,
                 chosen,
                 bool(chapters),
@@ -689,7 +693,7 @@ def _mesh_words(of_mesh: dict[str, Any]) -> list[str]:
 
 def _matplotlib_figure(make: Any, scene: Scene, overlay: bool) -> Any:
     """The plot as a figure without a window."""
-    t, X, flips = _native.attitude_curve(scene._native)
+    t, X, flips = _native.attitude_curve(scene._snapshot())
     figure = make(figsize=(10, 3 if overlay else 7), layout="constrained")
     figure.suptitle(scene.title or scene.name)
     axes = figure.subplots(1 if overlay else 3, 3, sharex=True, sharey=True, squeeze=False)

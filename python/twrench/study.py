@@ -10,7 +10,6 @@ import numpy as np
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
-from .errors import UsageError
 from .motion import _free_body
 from .names import MethodName, Numbers
 
@@ -137,11 +136,10 @@ def study(
         about the axis of greatest moment; None if no energy is lost.
     :raises UsageError: for a wrong argument. If a method fails, its run has a ``failure`` instead.
     """
-    if isinstance(methods, str) or not all(isinstance(name, str) for name in methods):
-        raise UsageError(f"methods: must be a list of names, not {_arguments.brief(methods)}")
+    names = _arguments.sequence("methods", methods, "a list of names")
     result = _native.study(
         _free_body(body, omega, None, wheel, energy_loss_time),
-        list(methods),
+        [_arguments.text("methods", name) for name in names],
         list(_arguments.array("steps", steps, (None,), "a one-dimensional array of steps in s")),
         list(_arguments.array("tolerances", tolerances, (None,), "a one-dimensional array")),
         _arguments.positive("duration", duration),

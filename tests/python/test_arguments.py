@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import signal
 import subprocess
 import sys
@@ -187,6 +188,62 @@ def test_the_exact_motion_says_what_it_is():
     assert "without flips" in repr(twrench.exact(sphere, [1, 2, 3]))
 
 
+GOOD = {"t": [0, 1, 2, 3], "wx": 4 * [1], "wy": 4 * [0], "wz": 4 * [0]}
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: twrench.Scene("\ud800"), "^source: must be a path in UTF-8"),
+        (lambda: twrench.check("\udcff.csv", BODY), "^data: must be a path in UTF-8"),
+        (lambda: twrench.case("\ud800"), "^name: has half of a surrogate pair"),
+        (lambda: twrench.case(3), "^name: must be a string"),
+        (lambda: twrench.study(BODY, [1, 0, 0], 3, duration=1), "^methods: must be a list of names"),
+        (lambda: twrench.study(BODY, [1, 0, 0], [3], duration=1), "^methods: must be a string"),
+        (lambda: twrench.check(GOOD, BODY, columns=[1]), "^columns: must be a mapping"),
+        (lambda: twrench.check({}, BODY), "^data: must have columns"),
+        (lambda: twrench.check(GOOD, BODY, omega_at=np.array(["a"])), "^omega_at: must be a number"),
+        (lambda: twrench.compare("a.png", "b.png", ignore=3), "^ignore: must be a list of rectangles"),
+        (lambda: twrench.exact(BODY, np.ma.array([1, 0, 0], mask=[0, 1, 0])), "^omega: has masked"),
+        (lambda: Scene().frame(time=1e308), "^time: must be from 0 to"),
+        (lambda: Scene().frame(time=-1e308), "^time: must be from 0 to"),
+        (lambda: Scene().render("a.mp4", frames="\ud800"), "^frames: has half of a surrogate pair"),
+    ],
+)
+def test_wrong_types_are_told_by_argument(call, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        call()
+
+
+def test_times_beyond_the_memory_are_refused_before_they_are_copied():
+    times = np.broadcast_to(1.0, 2**31)
+    for call in (
+        lambda: twrench.exact(BODY, [1, 0, 0]).at(times),
+        lambda: twrench.simulate(BODY, [1, 0, 0], times, "rk4"),
+        lambda: twrench.exact_many([1, 2, 3], [[1, 0, 0]], times),
+        lambda: twrench.exact_many([1, 2, 3], np.broadcast_to(1.0, (2**31, 3)), [0]),
+        lambda: twrench.check({"t": times}, BODY),
+    ):
+        with pytest.raises(twrench.UsageError, match="numbers, the limit is 300000000"):
+            call()
+    with pytest.raises(MemoryError):  # times within the limit, for a million bodies
+        twrench.exact_many([1, 2, 3], np.ones((10**6, 3)), np.broadcast_to(1.0, 10**7))
+
+
+def test_arrays_of_any_layout_are_read():
+    times, omega = np.linspace(0, 5, 11), np.array([0.1, 1, 0.2])
+    expected = twrench.exact(BODY, omega).at(times)
+    read_only = times.copy()
+    read_only.flags.writeable = False
+    for same in (read_only, np.repeat(times, 2)[::2], times[::-1][::-1], times.astype(">f8")):
+        motion = twrench.exact(BODY, omega[::-1].copy()[::-1]).at(same)
+        np.testing.assert_array_equal(motion.X, expected.X)
+        assert motion.X.flags.writeable and motion.t is not same
+    columns = np.asfortranarray(np.tile(omega, (4, 1)))
+    many = twrench.exact_many(np.broadcast_to([1.0, 2, 3], (4, 3)), columns, times)
+    np.testing.assert_array_equal(many.X[3], expected.X)
+
+
 def test_threads_call_at_once(tmp_path):
     motion = twrench.simulate(BODY, [0.1, 1, 0.2], np.linspace(0, 5, 50))
     scene = Scene("stable-y")
@@ -203,23 +260,64 @@ def test_threads_call_at_once(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("function", "call"),
+    [
+        ("page", lambda scene: scene.page("a.html")),
+        ("report", lambda scene: scene.report("a.md")),
+        ("export_motion", lambda scene: scene.export("a.glb")),
+        ("draw_plot", lambda scene: scene.plot("a.svg")),
+        ("attitude_curve", lambda scene: scene.plot()),
+        ("render", lambda scene: scene.render("a.mp4")),
+        ("FrameDrawer", lambda scene: scene.frame(0)),
+    ],
+)
+def test_other_threads_may_change_a_scene_while_it_is_used(monkeypatch, function, call):
+    """Without Python's global lock, the module reads only a copy of the scene."""
+    pytest.importorskip("matplotlib")
+    used = []
+
+    def record(scene: _native.Scene, *_: object) -> None:
+        used.append(scene)
+        raise InterruptedError
+
+    scene = Scene()
+    monkeypatch.setattr(_native, function, record)
+    with pytest.raises(InterruptedError):
+        call(scene)
+    assert used[0].json() == scene._native.json() and used[0] is not scene._native
+
+
+@pytest.mark.parametrize(
     "call",
     [
         "twrench.Scene(method='rk4', step=2.5e-6, fps=1000).export(folder + '/a.csv')",
         "twrench.Scene(method='rk4', step=2.5e-6).plot(folder + '/a.svg')",
         "twrench.Scene(duration=6e4).report(folder + '/a.md')",
+        "twrench.Scene(duration=4000).export(folder + '/a.glb', max_angle=1.1e-6)",
+        "twrench.check(10_000 * [recording], body)",
+        "twrench.check(10_000 * [recording], body, fit=True)",
+        "twrench.pages(folder, template=template)",
     ],
 )
-def test_ctrl_c_ends_a_long_call_and_leaves_nothing(tmp_path, call):
+def test_ctrl_c_ends_a_long_call_and_leaves_nothing(tmp_path, template, call):
+    others = tmp_path / "others"
+    others.mkdir()
+    shutil.move(template, others / "template.html")
+    motion = twrench.simulate(BODY, [0.1, 1, 0.2], np.linspace(0, 9, 20_000), "rk4", step=0.1)
+    motion.save(others / "motion.csv")
     code = (
-        "import sys, twrench\nfolder = sys.argv[1]\nprint('begins', flush=True)\n"
+        "import sys, twrench\nfolder, others = sys.argv[1:]\n"
+        "recording, template = others + '/motion.csv', others + '/template.html'\n"
+        "body = twrench.Body(moments=[1, 2, 3])\nprint('begins', flush=True)\n"
         f"try:\n    {call}\nexcept KeyboardInterrupt:\n    print('ended')\n"
     )
+    folder = tmp_path / "folder"
+    folder.mkdir()
     child = subprocess.Popen(
-        [sys.executable, "-c", code, str(tmp_path)], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", code, str(folder), str(others)], stdout=subprocess.PIPE, text=True
     )
     assert child.stdout is not None and child.stdout.readline() == "begins\n"
     time.sleep(0.5)
     child.send_signal(signal.SIGINT)
     assert child.communicate(timeout=60)[0] == "ended\n"
-    assert list(tmp_path.iterdir()) == []
+    assert list(folder.iterdir()) == []
