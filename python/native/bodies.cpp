@@ -142,7 +142,7 @@ void add_bodies(py::module_& module) {
       .def_static("from_parts", &body_from_parts)
       .def_static("from_moments", &body_from_moments)
       .def_static("from_inertia", &body_from_inertia)
-      .def(py::pickle([](const Body& b) { return state_of(b); }, &body_with))
+      .def(py::pickle([](const Body& b) -> py::object { return state_of(b); }, &body_with))
       .def_property_readonly("notes", [](const Body& b) { return mesh_notes(b.description); })
       .def_property_readonly("mass", [](const Body& b) { return b.properties.mass; })
       .def_property_readonly("centre_of_mass",

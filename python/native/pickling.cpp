@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -15,8 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "body/dimensions.h"
 #include "scene/fields.h"
+#include "scene/limits.h"
+#include "scene/scene_values.h"
 #include "solids.h"
 
 namespace twrench::python {
@@ -130,6 +134,33 @@ py::tuple Writer::scene(const Scene& from) {
                         origins_state(from.origins));
 }
 
+/// Throws the error of a damaged state, unless `is_right`.
+void require(bool is_right) {
+  if (!is_right) throw py::value_error("not a state that Writer writes");
+}
+
+double number_in(const scene::limits::Limit& limit, const py::handle& state) {
+  const auto value = state.cast<double>();
+  require(limit.low <= value && value <= limit.high);
+  return value;
+}
+
+std::optional<double> number_or_none(const scene::limits::Limit& limit, const py::handle& state) {
+  return state.is_none() ? std::nullopt : std::optional(number_in(limit, state));
+}
+
+Vector3d place_of(const py::handle& state) {
+  return scene::limits::check(scene::limits::coordinate, "position", state.cast<Vector3d>());
+}
+
+/// A value of an enumeration from its number.
+template <typename Enumeration>
+Enumeration enumerator_of(const py::handle& state) {
+  const auto number = state.cast<std::size_t>();
+  require(number < enumerator_names<Enumeration>().size());
+  return static_cast<Enumeration>(number);
+}
+
 /// Reads the states that Writer wrote.
 class Reader {
  public:
@@ -137,6 +168,7 @@ class Reader {
   scene::Body body(const py::tuple& state);
 
  private:
+  scene::Shot shot(const py::tuple& state);
   Surface surface(const py::object& state);
   body::Shape shape(const py::tuple& part);
 
@@ -147,31 +179,40 @@ Surface Reader::surface(const py::object& state) {
   Surface& read = surfaces_[state.ptr()];
   if (!read) {
     const auto arrays = py::cast<py::tuple>(state);
-    read = std::make_shared<const body::TriangleMesh>(
-        body::TriangleMesh{rows_of<double, Vector3d>(arrays[0]),
-                           rows_of<std::uint32_t, std::array<std::uint32_t, 3>>(arrays[1]),
-                           rows_of<float, std::array<float, 3>>(arrays[2])});
+    body::TriangleMesh mesh{rows_of<double, Vector3d>(arrays[0]),
+                            rows_of<std::uint32_t, std::array<std::uint32_t, 3>>(arrays[1]),
+                            rows_of<float, std::array<float, 3>>(arrays[2])};
+    require(mesh.colors.empty() || mesh.colors.size() == mesh.vertices.size());
+    read = std::make_shared<const body::TriangleMesh>(std::move(mesh));
   }
   return read;
 }
 
 body::Shape Reader::shape(const py::tuple& part) {
   const auto dimensions = part[1].cast<std::vector<double>>();
+  for (const double dimension : dimensions) require(dimension >= 0 && std::isfinite(dimension));
   if (part[2].is_none()) return solid_called(part[0].cast<std::string>(), dimensions);
   const auto mesh = part[2].cast<py::tuple>();
   const body::SolidIntegrals integrals{mesh[1].cast<double>(), mesh[2].cast<Vector3d>(),
                                        mesh[3].cast<Matrix3d>()};
-  return body::Mesh{surface(mesh[0]), dimensions.at(0), integrals};
+  require(std::isfinite(integrals.volume) && integrals.volume > 0 &&
+          integrals.centroid.allFinite() && integrals.inertia.allFinite());
+  const Surface own = surface(mesh[0]);
+  const double shell = dimensions.at(0);
+  // These throw if the surface is none of a body.
+  static_cast<void>(shell > 0 ? body::shell_integrals(*own, shell) : body::solid_integrals(*own));
+  return body::Mesh{own, shell, integrals};
 }
 
 scene::PartLook look_with(const py::tuple& state) {
   scene::PartLook look;
   if (const auto color = state[0].cast<std::optional<std::array<int, 3>>>()) {
+    for (const int channel : *color) require(channel >= 0 && channel <= 255);
     look.color = Color{(*color)[0], (*color)[1], (*color)[2]};
   }
-  look.metallic = state[1].cast<std::optional<double>>();
-  look.roughness = state[2].cast<std::optional<double>>();
-  look.crease_angle = state[3].cast<double>();
+  look.metallic = number_or_none(scene::limits::fraction, state[1]);
+  look.roughness = number_or_none(scene::limits::roughness, state[2]);
+  look.crease_angle = number_in(scene::limits::crease, state[3]);
   return look;
 }
 
@@ -192,7 +233,7 @@ scene::Origins origins_with(const py::tuple& state) {
   scene::Origins origins;
   std::size_t next = 0;
   for (const auto member : scene::all_origins) {
-    origins.*member = static_cast<scene::Origin>(state[next++].cast<int>());
+    origins.*member = enumerator_of<scene::Origin>(state[next++]);
   }
   return origins;
 }
@@ -201,14 +242,41 @@ scene::Body Reader::body(const py::tuple& state) {
   scene::Body body;
   for (const py::handle& handle : state[0]) {
     const auto part = handle.cast<py::tuple>();
-    body.parts.push_back(
-        {shape(part), part[3].cast<double>(), part[4].cast<Vector3d>(), part[5].cast<Matrix3d>()});
+    const auto turn = part[5].cast<Matrix3d>();
+    constexpr double round_off = 1e-9;
+    require(turn.allFinite() && turn.isUnitary(round_off));
+    const double density = part[3].cast<double>();
+    require(density > 0 && std::isfinite(density));
+    body.parts.push_back({shape(part), density, place_of(part[4]), turn});
     body.descriptions.push_back(
         {part[6].cast<std::string>(), look_with(part[7]), source_with(part[8])});
   }
-  body.inertia = state[1].cast<std::optional<Matrix3d>>();
-  body.drawn_as = static_cast<scene::Equimomental>(state[2].cast<int>());
+  if (const auto inertia = state[1].cast<std::optional<Matrix3d>>()) {
+    body.inertia = scene::limits::check_inertia("inertia", *inertia);
+  }
+  body.drawn_as = enumerator_of<scene::Equimomental>(state[2]);
+  static_cast<void>(scene::mass_properties(body));  // throws for wrong dimensions and for no parts
   return body;
+}
+
+scene::Shot Reader::shot(const py::tuple& state) {
+  namespace limits = scene::limits;
+  const auto film = state[0].cast<py::tuple>();
+  require(py::len(film[5]) == 0);  // a shot has no shots
+  scene::Shot shot;
+  shot.scene = scene(film);
+  shot.fade = number_in(limits::shot_transition, state[1]);
+  shot.move = number_in(limits::shot_transition, state[2]);
+  shot.start = number_in(limits::shot_start, state[3]);
+  for (const py::handle& handle : state[4]) {
+    const auto point = handle.cast<py::tuple>();
+    shot.speed.points.push_back({number_in({0, limits::shot_length.high}, point[0]),
+                                 number_in(limits::shot_speed, point[1])});
+  }
+  require(shot.scene.length.has_value() && !shot.speed.points.empty() &&
+          std::ranges::is_sorted(shot.speed.points, {}, &scene::SpeedCurve::Point::time));
+  shot.place = state[5].cast<std::string>();
+  return shot;
 }
 
 Scene Reader::scene(const py::tuple& state) {
@@ -221,20 +289,12 @@ Scene Reader::scene(const py::tuple& state) {
     field.set(made, nlohmann::ordered_json::parse(text), field.key);
   }
   made.body = body(state[2]);
+  Scene other;
+  scene::set_body(other, made.body);  // throws for a body that no scene may have
   made.caption = state[3].cast<std::optional<std::string>>();
-  made.length = state[4].cast<std::optional<double>>();
+  made.length = number_or_none(scene::limits::shot_length, state[4]);
   for (const py::handle& handle : state[5]) {
-    const auto told = handle.cast<py::tuple>();
-    scene::Shot shot;
-    shot.scene = scene(told[0]);
-    shot.fade = told[1].cast<double>();
-    shot.move = told[2].cast<double>();
-    shot.start = told[3].cast<double>();
-    for (const auto& [time, value] : told[4].cast<std::vector<std::pair<double, double>>>()) {
-      shot.speed.points.push_back({time, value});
-    }
-    shot.place = told[5].cast<std::string>();
-    made.shots.push_back(std::move(shot));
+    made.shots.push_back(shot(handle.cast<py::tuple>()));
   }
   made.origins = origins_with(state[6]);
   return made;
@@ -255,6 +315,8 @@ auto read_whole(const std::string& what, const Read& read) {
     throw damaged();
   } catch (const py::error_already_set&) {
     throw damaged();
+  } catch (const Error&) {  // a value beyond the limits of a scene
+    throw damaged();
   } catch (const std::out_of_range&) {
     throw damaged();
   }
@@ -264,10 +326,11 @@ auto read_whole(const std::string& what, const Read& read) {
 
 py::tuple state_of(const Body& body) { return Writer().body(body.description); }
 
-Body body_with(const py::tuple& state) {
+Body body_with(const py::object& state) {
   return read_whole("body", [&] {
-    const scene::Body description = Reader().body(state);
-    return Body{description, scene::mass_properties(description)};
+    const scene::Body description = Reader().body(state.cast<py::tuple>());
+    const body::MassProperties properties = scene::mass_properties(description);
+    return Body{description, properties};
   });
 }
 
@@ -278,11 +341,13 @@ py::tuple state_of(const std::vector<Scene>& scenes) {
   return states;
 }
 
-std::vector<Scene> scenes_with(const py::tuple& state) {
+std::vector<Scene> scenes_with(const py::object& state) {
   return read_whole("scene", [&] {
     Reader reader;
     std::vector<Scene> scenes;
-    for (const py::handle& scene : state) scenes.push_back(reader.scene(scene.cast<py::tuple>()));
+    for (const py::handle& scene : state.cast<py::tuple>()) {
+      scenes.push_back(reader.scene(scene.cast<py::tuple>()));
+    }
     return scenes;
   });
 }

@@ -13,9 +13,9 @@ namespace twrench::python {
 // share it again.
 
 pybind11::tuple state_of(const Body& body);
-Body body_with(const pybind11::tuple& state);
+Body body_with(const pybind11::object& state);
 
 pybind11::tuple state_of(const std::vector<scene::Scene>& scenes);
-std::vector<scene::Scene> scenes_with(const pybind11::tuple& state);
+std::vector<scene::Scene> scenes_with(const pybind11::object& state);
 
 }  // namespace twrench::python

@@ -411,7 +411,9 @@ class Scene:
         return {**vars(self), "_drawer": None, "_native": natives, "_original": None}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        natives = _native.scenes_with(state["_native"])
+        natives = _native.scenes_with(state.get("_native") if isinstance(state, dict) else None)
+        if len(natives) != 2:
+            raise UsageError("the pickled scene: is damaged", "pickle the object again")
         self.__dict__.update(state, _native=natives[0], _original=natives[1])
 
     def __deepcopy__(self, _: object) -> Scene:

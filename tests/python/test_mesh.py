@@ -7,6 +7,7 @@ import dataclasses
 import math
 import pickle
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -241,6 +242,70 @@ def test_a_damaged_pickle_is_told_without_internals():
             assert str(error).startswith("the pickled scene: is damaged")
     with pytest.raises(twrench.UsageError, match="the pickled scene: is damaged"):
         pickle.loads(whole.replace(b'"a wing nut"', b'"a wing nut '))
+
+
+def with_value(state: Any, path: tuple[Any, ...], value: Any) -> Any:
+    """The state with another value at the path."""
+    if not path:
+        return value
+    if isinstance(state, dict):
+        return {**state, path[0]: with_value(state[path[0]], path[1:], value)}
+    items = list(state)
+    items[path[0]] = with_value(items[path[0]], path[1:], value)
+    return type(state)(items)
+
+
+#: The rest of the state of a part, after its shape.
+WHOLE = (1.0, np.zeros(3), np.eye(3), "", (None, None, None, 0.5), None)
+#: Paths in the state of a scene whose body is a mesh, and values that Writer never writes.
+HOSTILE = [
+    ((), None),
+    ((), 3),
+    ((0,), ()),
+    ((0, 1, "fps"), b"-1"),
+    ((0, 1, "fps"), b"[["),
+    ((0, 1, "size"), b"[1e9,1e9]"),
+    ((0, 2, 0), []),
+    ((0, 2, 0, 0, 1), [math.nan]),
+    ((0, 2, 0, 0, 2, 0, 0), np.full((8, 3), 2.0)),
+    ((0, 2, 0, 0, 2, 0, 0), np.full((8, 3), math.nan)),
+    ((0, 2, 0, 0, 2, 0, 0), np.zeros((8, 2))),
+    ((0, 2, 0, 0, 2, 0, 1), np.full((4, 3), 8, np.uint32)),
+    ((0, 2, 0, 0, 2, 0, 1), np.zeros((0, 3), np.uint32)),
+    ((0, 2, 0, 0, 2, 0, 2), np.zeros((3, 3), np.float32)),
+    ((0, 2, 0, 0, 2, 1), math.inf),
+    ((0, 2, 0, 0, 3), -1.0),
+    ((0, 2, 0, 0, 4), np.full(3, 1e300)),
+    ((0, 2, 0, 0, 5), np.zeros((3, 3))),
+    ((0, 2, 0, 0, 7, 0), (0, 0, 256)),
+    ((0, 2, 1), -np.eye(3)),
+    ((0, 2, 2), 3),
+    ((0, 2, 2), -1),
+    ((0, 2), ([("box", [1e21, 1.0, 1.0], None, *WHOLE)], None, 0)),
+    ((0, 2), ([("box", [1.0, 1.0], None, *WHOLE)], None, 0)),
+    ((0, 4), -1.0),
+    ((0, 6), (0, 0, 0, 0, 3)),
+]
+
+
+@pytest.mark.parametrize(("path", "value"), HOSTILE)
+def test_a_hostile_pickle_is_refused(path, value):
+    scene = twrench.Scene(body=Body([Mesh(vertices=CORNERS, triangles=TRIANGLES, density=1)]))
+    state = scene.__getstate__()["_native"]
+    assert len(_native.scenes_with(state)) == 2
+    with pytest.raises(twrench.UsageError, match="the pickled scene: is damaged"):
+        scene.__setstate__({"_native": with_value(state, path, value)})
+
+
+def test_a_pickle_that_contains_itself_is_refused():
+    state = list(twrench.Scene().__getstate__()["_native"][0])
+    state[5] = shots = []
+    shots.append((tuple(state), 0.0, 0.0, 0.0, [(0.0, 1.0)], "x"))
+    for hostile in ({"_native": 2 * (tuple(state),)}, {"_native": ()}, {}, None):
+        with pytest.raises(twrench.UsageError, match="the pickled scene: is damaged"):
+            twrench.Scene().__setstate__(hostile)
+    with pytest.raises(twrench.UsageError, match="the pickled body: is damaged"):
+        _native.Body.__new__(_native.Body).__setstate__(None)
 
 
 def test_parts_that_share_a_mesh_are_pickled_with_one():
