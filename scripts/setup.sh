@@ -64,6 +64,8 @@ python   | NumPy                         | python3-numpy
 python   | setuptools, for pip           | python3-setuptools
 python   | wheel, for the same           | python3-wheel
 test     | pytest                        | python3-pytest
+test     | nbconvert, to run notebooks   | jupyter-nbconvert         | notebooks are not run in a kernel
+test     | the kernel of notebooks       | python3-ipykernel         | notebooks are not run in a kernel
 test     | SciPy, to compare with        | python3-scipy
 test     | scikit-image, for the same    | python3-skimage           | its numbers that the tests store are used
 test     | pandas                        | python3-pandas
