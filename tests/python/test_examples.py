@@ -126,7 +126,7 @@ def test_the_notebook_of_the_integrators(tmp_path, monkeypatch):
 def test_the_notebook_of_the_check(tmp_path, monkeypatch):
     names = names_after("check_your_simulator.ipynb", tmp_path, monkeypatch)
     assert names["found"].finding == "integration"
-    assert names["order"] == pytest.approx([4, 4], abs=0.05)
+    assert names["checks"].order.rates == pytest.approx(4, abs=0.05)
     assert names["wrong"].finding == "convention" and not names["wrong"].passes
     assert names["right"].finding == "exact" and names["right"].passes
 
