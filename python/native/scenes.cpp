@@ -69,6 +69,7 @@ Scene scene_of_mesh(const std::string& file, std::optional<double> scale,
                     std::optional<double> weld, std::optional<double> shell,
                     std::optional<double> density, std::optional<double> mass) {
   namespace limits = scene::limits;
+  const py::gil_scoped_release others_run;
   return on_scene([&] {
     mesh::ReadOptions options;
     if (scale) options.scale = limits::check(limits::mesh_scale, "scale", *scale);
@@ -100,6 +101,7 @@ void add_scenes(py::module_& module) {
       .def_static(
           "load",
           [](const std::string& name, const std::optional<std::string>& language) {
+            const py::gil_scoped_release others_run;
             return on_scene([&] {
               return language ? scene::load_scene(name, *language, "language")
                               : scene::load_scene(name);
@@ -110,6 +112,7 @@ void add_scenes(py::module_& module) {
                   py::arg("shell"), py::arg("density"), py::arg("mass"))
       .def_static("parse",
                   [](const std::string& toml, const std::string& source) {
+                    const py::gil_scoped_release others_run;
                     return on_scene([&] { return scene::parse_scene(toml, source); });
                   })
       .def_readonly("name", &Scene::name)

@@ -6,6 +6,8 @@ import copy
 import dataclasses
 import math
 import pickle
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -242,6 +244,24 @@ def test_a_damaged_pickle_is_told_without_internals():
             assert str(error).startswith("the pickled scene: is damaged")
     with pytest.raises(twrench.UsageError, match="the pickled scene: is damaged"):
         pickle.loads(whole.replace(b'"a wing nut"', b'"a wing nut '))
+
+
+def test_other_threads_run_while_a_mesh_is_read(tmp_path):
+    n = 200
+    u, v = np.meshgrid(*2 * [2 * np.pi * np.arange(n) / n], indexing="ij")
+    ring = 3 + np.cos(v)
+    vertices = np.stack([ring * np.cos(u), ring * np.sin(u), np.sin(v)], axis=-1).reshape(-1, 3)
+    i, j = np.meshgrid(np.arange(n), np.arange(n), indexing="ij")
+    a, b, c, d = (x % n * n + y % n for x, y in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+    triangles = np.concatenate([np.stack(t, axis=-1).reshape(-1, 3) for t in ((a, b, c), (a, c, d))])
+    file = write_obj(tmp_path / "torus.obj", vertices, triangles)
+    turns = 0
+    with ThreadPoolExecutor(1) as pool:
+        made = pool.submit(twrench.Scene, file, unit="cm")
+        while not made.done():
+            time.sleep(0.001)
+            turns += 1
+    assert made.result().body.mass > 0 and turns > 10
 
 
 def with_value(state: Any, path: tuple[Any, ...], value: Any) -> Any:
