@@ -133,7 +133,6 @@ void EnergyContours::find_equilibria() {
       add_equilibrium(d_[i], mu);
     }
   }
-  std::ranges::stable_sort(equilibria_, {}, &Equilibrium::kind);
 }
 
 void EnergyContours::add_equilibrium(double multiplier, const Vector3d& mu) {
@@ -142,7 +141,9 @@ void EnergyContours::add_equilibrium(double multiplier, const Vector3d& mu) {
   const double aa = t.a.dot(h.cwiseProduct(t.a)), ab = t.a.dot(h.cwiseProduct(t.b)),
                bb = t.b.dot(h.cwiseProduct(t.b));
   const Kind kind = aa * bb < ab * ab ? Kind::saddle : aa + bb > 0 ? Kind::minimum : Kind::maximum;
-  equilibria_.push_back({mu.normalized(), kind});
+  // There are at most six; a stable sort would add 2 kB to every page.
+  equilibria_.insert(std::ranges::upper_bound(equilibria_, kind, {}, &Equilibrium::kind),
+                     {mu.normalized(), kind});
 }
 
 /// Around an equilibrium, curves are as small as the gradient. A sphere without a wheel has none.
