@@ -6,42 +6,10 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { folder, open, openOnDisplay, run, twrench, writePage } from './browser.mjs';
+import { copied, enter, sample, saved, settle, shown, still, time } from './controls.mjs';
 
 const flip = writePage('flip.html');
 const axe = readFileSync(join(dirname(createRequire(import.meta.url).resolve('axe-core')), 'axe.min.js'), 'utf8');
-
-const time = (page) => page.$eval('#timeline', (slider) => Number(slider.getAttribute('aria-valuenow')));
-const shown = (page, id) => page.$eval(id, (element) => element.textContent);
-const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-const sample = (page, t) => page.evaluate((at) => globalThis.twrench.sample(at), t);
-const still = { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] };
-
-/** Changes a control like a user who types into it or chooses from it. */
-async function enter(page, selector, text) {
-  await page.click(selector, { count: 3 });
-  await page.keyboard.type(text);
-  await page.keyboard.press('Tab');
-  await settle(page);
-}
-
-const copied = async (page, button) => {
-  await page.click(button);
-  await page.waitForFunction(() => !document.getElementById('copied').hidden && document.getElementById('copied').textContent);
-  return shown(page, '#copied');
-};
-
-/** The text of the file that a button saves. */
-async function saved(page, button) {
-  await page.evaluate(() => {
-    globalThis.savedText = null;
-    const create = URL.createObjectURL;
-    URL.createObjectURL = (blob) => (blob.text().then((text) => (globalThis.savedText = text)), create(blob));
-    HTMLAnchorElement.prototype.click = () => {};
-  });
-  await page.click(button);
-  await page.waitForFunction(() => globalThis.savedText);
-  return page.evaluate(() => globalThis.savedText);
-}
 
 const tests = {
   async 'it plays, and stands still for those who want less motion'() {
