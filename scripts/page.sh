@@ -39,7 +39,7 @@ core_sources() {
     picture/compose/{camera_path,label} \
     picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,trail_point}
   printf '%s\n' src/body/shapes/*.cpp src/picture/shapes/*.cpp src/picture/views/*.cpp
-  printf 'web/core/%s.cpp\n' bindings page_views pictures platform recorded_run stars surfaces
+  printf 'web/core/%s.cpp\n' bindings integrated_motion page_views pictures platform recorded_run stars surfaces
 }
 
 # build_core: builds build/page/core.wasm, unless it is newer than all of its sources.

@@ -63,7 +63,9 @@ Texts options_between(const Scene& original, const Scene& scene, const Texts& ke
     if (std::ranges::find(keys, field.key) == keys.end()) continue;
     const nlohmann::ordered_json value = field.get(scene);
     if (value.is_null() || value == field.get(original) || is_natural(scene, field.key)) continue;
-    options.insert(options.end(), {"--" + field.key, option_value(value)});
+    std::string option = "--" + field.key;
+    std::ranges::replace(option, '_', '-');
+    options.insert(options.end(), {std::move(option), option_value(value)});
   }
   return options;
 }
@@ -107,7 +109,7 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
 ScenePage make_page(const Scene& scene, const Scene& original, const std::string& source,
                     const Texts& source_options, const std::string& template_file) {
   return run_interruptibly([&](const std::atomic<bool>& stop) {
-    return page_of(scene, original, source, source_options, template_file, stop);
+    return page_of(page::shown_scene(scene), original, source, source_options, template_file, stop);
   });
 }
 
@@ -126,7 +128,6 @@ Texts write_report(const Scene& scene, const Scene& original, const Texts& sourc
                    bool is_static) {
   const bool interactive = !report::is_markdown(file) && !is_static;
   plot::require_gnuplot("figure.svg");
-  scene::require_rigid(scene, "a report");  // before the page, which is drawn first
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     Scene solved = scene;
     solved.motion.control.stop = &stop;
@@ -134,14 +135,16 @@ Texts write_report(const Scene& scene, const Scene& original, const Texts& sourc
     words.front() = report::argument_of(words.front());
     const Texts of_body = body_options(original, scene);
     const std::vector<report::Experiment> experiments{
-        {solved,
-         report::commands_of(scene, words, of_body,
-                             options_between(original, scene, {"omega", "attitude", "duration"}))}};
+        {solved, report::commands_of(scene, words, of_body,
+                                     options_between(original, scene,
+                                                     {"omega", "attitude", "wheel",
+                                                      "energy_loss_time", "duration"}))}};
     Texts command{"twrench", "report"};
     command.insert(command.end(), words.begin(), words.end());
-    const Texts of_motion = options_between(
-        original, scene,
-        {"omega", "attitude", "method", "step", "tolerance", "duration", "fps", "speed"});
+    const Texts of_motion =
+        options_between(original, scene,
+                        {"omega", "attitude", "wheel", "energy_loss_time", "method", "step",
+                         "tolerance", "duration", "fps", "speed"});
     command.insert(command.end(), of_body.begin(), of_body.end());
     command.insert(command.end(), of_motion.begin(), of_motion.end());
     if (!author.empty()) command.insert(command.end(), {"--author", author});

@@ -32,7 +32,7 @@ scene::Scene still(scene::Scene scene) {
   scene.shots.clear();
   scene.title.clear();
   // Only t = 0 is shown, so the film has one frame and the motion one step.
-  scene.motion.method = "exact";
+  scene.motion.method = scene.motion.is_rigid() ? "exact" : "taylor";
   scene.motion.duration = scene.film.speed = scene::natural_times(scene).step;
   scene.film.fps = 1;
   return scene;

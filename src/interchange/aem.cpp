@@ -74,8 +74,8 @@ void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& genera
                const std::function<void(std::string_view)>& write) {
   const motion::FreeBody body = scene::free_body(scene);
   const motion::Method& method = motion::reference_method(body);
-  const auto motion = motion::make_propagator(
-      body, method, motion::reference_control(scene.motion.control.stop));
+  const auto motion =
+      motion::make_propagator(body, method, motion::reference_control(scene.motion.control.stop));
   const std::string source =
       body.is_rigid()
           ? "of a rigid body, in closed form"

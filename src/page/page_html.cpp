@@ -9,7 +9,6 @@
 #include "embedded/page.h"
 #include "page/page_json.h"
 #include "page/template_filling.h"
-#include "scene/interior.h"
 #include "scene/scene_json.h"
 #include "system/file.h"
 #include "text/xml.h"
@@ -51,8 +50,13 @@ std::string page_template(const std::string& file) {
                           "run scripts/page.sh, which makes it, and build again");
 }
 
+scene::Scene shown_scene(scene::Scene scene) {
+  const std::vector<Eigen::Vector3d>& wheels = scene.overlay.compare_wheel;
+  if (!scene.motion.wheel && !wheels.empty()) scene.motion.wheel = wheels.back();
+  return scene;
+}
+
 void require_shown(const scene::Scene& scene) {
-  scene::require_rigid(scene, "a page");
   const auto begins_turned = [](const scene::Shot& shot) {
     return shot.scene.motion.attitude.has_value();
   };

@@ -31,6 +31,10 @@ struct PageDocument {
   std::vector<std::string> notes;
 };
 
+/// Returns the scene whose motion a page shows. If a film compares wheels, its page begins with the
+/// last of them, unless the scene has its own.
+scene::Scene shown_scene(scene::Scene scene);
+
 /// Throws InvalidArgument if a page would compute a different motion. page_html() does the same,
 /// but needs the poster, which takes long to draw.
 void require_shown(const scene::Scene& scene);

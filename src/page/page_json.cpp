@@ -1,8 +1,12 @@
 #include "page/page_json.h"
 
+#include <span>
+
+#include "base/enumeration.h"
 #include "base/time_unit.h"
 #include "page/surface_json.h"
 #include "page/theme_json.h"
+#include "scene/interior.h"
 #include "scene/limits.h"
 #include "scene/scene_json.h"
 
@@ -18,9 +22,17 @@ ordered_json limits_json() {
   return {{"moment", range_json(limits::moment)},
           {"moment_ratio", limits::max_moment_ratio},
           {"omega", range_json(limits::coordinate)},
+          {"wheel", range_json(limits::angular_momentum)},
+          {"energy_loss_time", range_json(limits::energy_loss_time)},
           {"step", range_json(limits::step)},
           {"tolerance", range_json(limits::tolerance)},
           {"time", {-limits::duration.high, limits::duration.high}}};
+}
+
+ordered_json names_json(std::span<const scene::Feature> features) {
+  ordered_json names = ordered_json::array();
+  for (const scene::Feature feature : features) names.push_back(enumerator_name(feature));
+  return names;
 }
 
 /// The units of time, the longest first, each with the shortest time that is written in it, its
@@ -47,6 +59,8 @@ ordered_json page_json(const scene::Scene& scene, const Surface& surface) {
           {"surface", surface_json(scene, surface, materials)},
           {"themes", themes_json(scene.look, materials)},
           {"limits", limits_json()},
+          {"rigid_features", names_json(scene::features_of_rigid_bodies)},
+          {"lossless_features", names_json(scene::features_of_lossless_bodies)},
           {"time_units", time_units_json()}};
 }
 

@@ -5,7 +5,6 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -19,20 +18,18 @@ bool is_rigid(const Scene& scene) {
   return scene.motion.is_rigid() && scene.overlay.compare_wheel.empty();
 }
 
-/// Returns whether a feature is computed from the closed form or from the energy of a rigid body.
-bool needs_rigid_body(Feature feature) {
-  static constexpr std::array features{Feature::plane, Feature::poinsot, Feature::phase,
-                                       Feature::forces, Feature::moments};
-  return std::ranges::find(features, feature) != features.end();
-}
-
-/// Returns the features of a film that have a meaning only for the scene's body if it is rigid.
-std::vector<std::string> features_of_rigid_bodies(const Scene& scene) {
+/// Returns the features of a film that have no meaning for the scene's body, which is not rigid.
+std::vector<std::string> meaningless_features(const Scene& scene) {
+  const auto contains = [](const auto& features, Feature feature) {
+    return std::ranges::find(features, feature) != features.end();
+  };
   std::vector<std::string> names;
   for (const Feature feature : scene.overlay.show) {
-    // An energy that is lost is no error.
-    const bool is_loss = feature == Feature::drift && scene.motion.energy_loss_time;
-    if (is_loss || needs_rigid_body(feature)) names.emplace_back(enumerator_name(feature));
+    const bool is_lost =
+        scene.motion.energy_loss_time && contains(features_of_lossless_bodies, feature);
+    if (is_lost || contains(features_of_rigid_bodies, feature)) {
+      names.emplace_back(enumerator_name(feature));
+    }
   }
   return names;
 }
@@ -60,7 +57,7 @@ void check_shown_motion(const Scene& film) {
     const Overlay& overlay = film.overlay;
     require(overlay.view == View::wrench || overlay.view == View::momentum, "view",
             std::string(enumerator_name(overlay.view)), "use the view wrench or momentum");
-    const std::string names = fmt::format("{}", fmt::join(features_of_rigid_bodies(film), ","));
+    const std::string names = fmt::format("{}", fmt::join(meaningless_features(film), ","));
     require(names.empty(), "show", names, "hide it: " + names);
   }
   for (const Shot& shot : film.shots) check_shown_motion(shot.scene);

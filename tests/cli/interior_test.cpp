@@ -248,7 +248,7 @@ TEST(Interior, StudyNamesItsReference) {
               HasSubstr("methods compared with the exact solution"));
 }
 
-TEST(Interior, IsRefusedInOneLineByCommandsThatNeedARigidBody) {
+TEST(Interior, IsRefusedInOneLineByCheck) {
   const ScratchFolder folder;
   std::ofstream(folder / "wheel.toml")
       << "[body]\nmoments = [3, 4, 5]\n[motion]\nwheel = [0, 0, 1]\n";
@@ -257,24 +257,43 @@ TEST(Interior, IsRefusedInOneLineByCommandsThatNeedARigidBody) {
   std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
                                          "[shot.motion]\nwheel = [0, 0, 1]\n";
   std::ofstream(folder / "run.csv") << "t,wx,wy,wz\n0,1,0,0\n1,1,0,0\n";
-  std::ofstream(folder / "t.html")
-      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
   for (const auto& [scene, key] :
        {std::pair("wheel.toml", "wheel"), std::pair("shot.toml", "wheel"),
         std::pair("loss.toml", "energy_loss_time")}) {
-    for (const auto& [command, what] : {std::pair("page --template t.html -o p.html ", "a page"),
-                                        std::pair("check run.csv --scene ", "a check")}) {
-      const Outcome run = run_twrench(folder, std::string(command) + scene);
-      EXPECT_EQ(run.code, 2) << command << scene << "\n" << run.err;
-      EXPECT_EQ(run.err,
-                fmt::format("twrench: error: {}: {} needs the closed form of a rigid body's "
-                            "motion\n  use a rigid body; simulate computes the motion of "
-                            "any body\n",
-                            key, what));
-      EXPECT_EQ(run.out, "");
-    }
+    const Outcome run = run_twrench(folder, std::string("check run.csv --scene ") + scene);
+    EXPECT_EQ(run.code, 2) << scene << "\n" << run.err;
+    EXPECT_EQ(run.err,
+              fmt::format("twrench: error: {}: a check needs the closed form of a rigid body's "
+                          "motion\n  use a rigid body; simulate computes the motion of any body\n",
+                          key));
+    EXPECT_EQ(run.out, "");
   }
-  EXPECT_FALSE(exists(folder / "p.html"));
+}
+
+TEST(Interior, IsShownInPages) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "t.html")
+      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
+  std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
+                                         "[shot.motion]\nwheel = [0, 0, 1]\n";
+  for (const auto& [words, value] :
+       {std::pair("dzhanibekov --wheel 9,0,0", "\"wheel\":[9.0,0.0,0.0]"),
+        std::pair("dzhanibekov --energy-loss-time 40", "\"energy_loss_time\":40.0"),
+        std::pair("dual-spin", "\"wheel\":[40000000.0,0.0,0.0]"),
+        std::pair("t-handle-wheel --wheel 1,0,0", "\"wheel\":[1.0,0.0,0.0]"),
+        std::pair("shot.toml", "\"program\"")}) {
+    const Outcome run =
+        run_twrench(folder, std::string("page --template t.html -o p.html ") + words);
+    EXPECT_EQ(run.code, 0) << words << run.err;
+    const std::string page = text_of(folder / "p.html");
+    EXPECT_THAT(page, HasSubstr(value)) << words;
+    EXPECT_THAT(page, HasSubstr("<img")) << words;
+  }
+  const Outcome run =
+      run_twrench(folder, "page --template t.html -o q.html --energy-loss-time 0.01");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--energy-loss-time: is 0.01 s, but must be above"));
+  EXPECT_FALSE(exists(folder / "q.html"));
 }
 
 TEST(Interior, IsDrawnWithoutWhatOnlyARigidBodyHas) {

@@ -130,7 +130,8 @@ TEST(Track, HasKeysOnlyWhereTheMotionNeedsThem) {
 
 TEST(Track, EndsIfItIsStopped) {
   const std::atomic<bool> stop = true;
-  const PlayedMotion motion(motion::FreeBody(Matrix3d::Identity(), Vector3d::UnitX()), 1, 96, &stop);
+  const PlayedMotion motion(motion::FreeBody(Matrix3d::Identity(), Vector3d::UnitX()), 1, 96,
+                            &stop);
   EXPECT_THROW(attitude_track(motion, 96, 1e-4), motion::MotionError);
 }
 

@@ -238,6 +238,22 @@ TEST(PageTemplate, HasAFigureAndWordsForEachInset) {
   }
 }
 
+TEST(PageJson, HoldsWhatMovesInTheBody) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  EXPECT_FALSE(json_of(scene).at("scene").at("motion").contains("wheel"));
+  scene.motion.wheel = Vector3d(1, 2, 3);
+  scene.motion.energy_loss_time = 50;
+  const ordered_json json = json_of(scene), &motion = json.at("scene").at("motion");
+  EXPECT_EQ(motion.at("wheel"), ordered_json({1.0, 2.0, 3.0}));
+  EXPECT_EQ(motion.at("energy_loss_time"), 50);
+  EXPECT_EQ(json.at("limits").at("energy_loss_time"), ordered_json({1e-15, 1e15}));
+  // An inset or an overlay that the page would offer, but the film refuses.
+  for (const char* const feature : {"plane", "poinsot"}) {
+    EXPECT_NE(json.at("rigid_features").dump().find(feature), std::string::npos) << feature;
+  }
+  EXPECT_EQ(json.at("lossless_features"), ordered_json({"drift"}));
+}
+
 TEST(PageJson, LeavesOutTheShotsOfAStory) {
   const scene::Scene story = scene::load_scene("explain");
   ASSERT_FALSE(story.shots.empty());

@@ -39,7 +39,7 @@ std::set<std::string> offered() {
 
 /// The numbers of vertices and labels that the view of the body draws for the features.
 std::vector<std::size_t> drawn_for(const std::set<scene::Feature>& features) {
-  const Motion motion{{Eigen::Vector3d(3, 4, 5).asDiagonal(), {0.1, 1, 0.2}}};
+  const Motion motion({Eigen::Vector3d(3, 4, 5).asDiagonal(), {0.1, 1, 0.2}});
   Settings settings;
   settings.width = 640;
   settings.height = 360;
@@ -48,7 +48,7 @@ std::vector<std::size_t> drawn_for(const std::set<scene::Feature>& features) {
   settings.trail_x = 1;
   for (const scene::Feature feature : features) settings.show += 1U << static_cast<int>(feature);
   timeline::SolutionState instant{};
-  instant.trail = motion.exact.at(std::vector{0.0, 0.5, 1.0, 1.5, 2.0}, 1);
+  instant.trail = motion.at(std::vector{0.0, 0.5, 1.0, 1.5, 2.0});
   instant.sample = instant.trail.back();
   timeline::FrameState state;
   state.solutions.push_back(std::move(instant));

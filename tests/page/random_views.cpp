@@ -47,7 +47,12 @@ class Dice {
     const Vector3d moments = size * Vector3d(a, b, a + b * between(0.2, 0.99));
     Matrix3d R = Matrix3d::Identity();
     if (below(2) == 0) R = Eigen::AngleAxisd(between(0, 3), vector().normalized()).matrix();
-    return {{R * moments.asDiagonal() * R.transpose(), std::pow(10, between(-2, 2)) * vector()}};
+    const Matrix3d inertia = R * moments.asDiagonal() * R.transpose();
+    const Vector3d omega = std::pow(10, between(-2, 2)) * vector();
+    motion::Interior interior;
+    if (below(3) == 0) interior.wheel = size * omega.norm() * vector();
+    if (below(3) == 0) interior.energy_loss_time = 1000 / omega.norm();
+    return Motion({inertia, omega, Matrix3d::Identity(), interior});
   }
 
   Settings settings(const Motion& motion) {
@@ -77,9 +82,11 @@ class Dice {
   timeline::SolutionState instant(const Motion& motion, const Settings& settings) {
     const double t = between(0, 300) / motion.body.omega().norm();
     std::vector<double> times;
-    for (int i = 20 + below(200); i >= 0; --i) times.push_back(t - settings.trail_length * i / 220);
+    for (int i = 20 + below(200); i >= 0; --i) {
+      times.push_back(std::max(t - settings.trail_length * i / 220, 0.0));
+    }
     timeline::SolutionState state;
-    state.trail = motion.exact.at(times, 1);
+    state.trail = motion.at(times);
     state.sample = state.trail.back();
     return state;
   }
@@ -143,15 +150,19 @@ void write_state(Dice& dice, scene::Theme theme) {
   json state{
       {"inertia", numbers(motion.body.inertia())},
       {"omega", numbers(motion.body.omega())},
+      {"interior", {{"wheel", numbers(motion.body.interior().wheel)}}},
       {"from", {{"azimuth", from.azimuth}, {"elevation", from.elevation}, {"zoom", from.zoom}}},
       {"instants", {samples(instants.solutions[0]), samples(instants.solutions[1])}}};
   for (const auto& [name, field] : fields) state["settings"][name] = settings.*field;
+  const double tau = motion.body.interior().energy_loss_time;
+  if (std::isfinite(tau)) state["interior"]["energyLossTime"] = tau;
   const auto view = [&](std::string_view name) {
     state["view"] = name;
     return state;
   };
   write(view("body"), body_contents(motion, settings, from, instants));
   for (std::size_t i = 0; i < scene::insets.size(); ++i) {
+    if (scene::insets[i].view == scene::View::poinsot && !motion.body.is_rigid()) continue;
     write(view(enumerator_name(scene::insets[i].feature)),
           inset_contents(motion, settings, i, from, instants));
   }

@@ -45,12 +45,14 @@ const names = ({ themes, frames, features }, { theme, frame, show, ...rest }) =>
 
 let at = 0,
   count = 0,
+  bodies = 0,
+  rigid = 0,
   vertices = 0;
 while (at < written.length) {
   const end = written.indexOf('\n', at);
   const state = JSON.parse(written.subarray(at, end).toString());
   at = end + 1;
-  const motion = core.motion(state.inertia, state.omega);
+  const motion = core.motion(state.inertia, state.omega, { energyLossTime: Infinity, ...state.interior });
   const { view, from, instants } = state,
     settings = names(pictures.names, state.settings);
   const found =
@@ -58,6 +60,8 @@ while (at < written.length) {
       ? pictures.body(motion, settings, from, instants[0])
       : pictures.inset(view, motion, settings, from, instants);
   const what = `state ${count++}, ${view}`;
+  if (view === 'body') ++bodies;
+  if (view === 'poinsot') ++rigid; // the ellipsoid of no other body is shown
   expectClose([found.camera.distance], [state.distance], 1, what);
   expectClose(found.camera.attitude, state.attitude, 9, what);
   expectClose(found.camera.projection, state.projection, 16, what);
@@ -90,5 +94,7 @@ while (at < written.length) {
   });
   motion.release();
 }
-assert.equal(count, pictures.names.themes.length * (1 + pictures.names.insets.length) * states);
+assert.equal(bodies, pictures.names.themes.length * states);
+assert.ok(rigid > 0.2 * bodies && rigid < 0.8 * bodies, `${rigid} of ${bodies} bodies are rigid`);
+assert.equal(count, pictures.names.insets.length * bodies + rigid);
 console.log(`ok      the views of ${count} random states are those of the program: ${vertices} vertices`);

@@ -67,7 +67,6 @@ def test_a_scene_with_a_wheel_and_energy_loss(program, tmp_path):
     program("simulate", "t-handle", *options, "-o", tmp_path / "b.csv")
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
     for refused, what in [
-        (lambda: scene.page(tmp_path / "p.html", template=__file__), "a page"),
         (lambda: scene.report(tmp_path / "r.md"), "a report"),
         (lambda: scene.export(tmp_path / "a.glb"), "a glTF model"),
     ]:

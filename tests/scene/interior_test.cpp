@@ -96,19 +96,19 @@ TEST(InteriorOfAScene, MakesAnotherMotionOfAShot) {
 }
 
 TEST(InteriorOfAScene, IsNotThatOfARigidBody) {
-  EXPECT_NO_THROW(require_rigid(scene_with(""), "a page"));
+  EXPECT_NO_THROW(require_rigid(scene_with(""), "a report"));
   const auto refused = [](const std::string& toml) {
     try {
-      require_rigid(scene_with(toml), "a page");
+      require_rigid(scene_with(toml), "a report");
       return std::string("nothing");
     } catch (const InvalidArgument& error) {
       return std::string(error.what());
     }
   };
-  EXPECT_THAT(refused("wheel = [0, 0, 1]"), HasSubstr("wheel: a page needs"));
-  EXPECT_THAT(refused("energy_loss_time = 50"), HasSubstr("energy_loss_time: a page needs"));
+  EXPECT_THAT(refused("wheel = [0, 0, 1]"), HasSubstr("wheel: a report needs"));
+  EXPECT_THAT(refused("energy_loss_time = 50"), HasSubstr("energy_loss_time: a report needs"));
   EXPECT_THAT(refused("[[shot]]\nlength = 2\n[shot.motion]\nwheel = [0, 0, 1]"),
-              HasSubstr("wheel: a page needs"));
+              HasSubstr("wheel: a report needs"));
 }
 
 /// No method refuses the natural step of a needle as longer than a turn.

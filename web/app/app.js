@@ -3,7 +3,7 @@ import { Announcer } from '../panels/announcer.js';
 import { ComparePanel } from '../panels/compare.js';
 import { Components } from '../panels/components.js';
 import { DataTable } from '../panels/data_table.js';
-import { BodyPanel, StartPanel } from '../panels/start.js';
+import { BodyPanel, InteriorPanel, StartPanel } from '../panels/start.js';
 import { listenToKeys } from '../panels/keys.js';
 import { Timeline } from '../panels/timeline.js';
 import { Tour } from '../panels/tour.js';
@@ -11,17 +11,17 @@ import { Transport } from '../panels/transport.js';
 import { ViewPanel } from '../panels/view_panel.js';
 import { setLanguage } from '../words/words.js';
 import tour from '../tour/tour.json';
-import { diagonal } from '../core/core.js';
+import { CoreError, diagonal } from '../core/core.js';
 import { firstOf } from '../core/motion.js';
 import { norm } from '../math/linear.js';
-import { byId } from './dom.js';
+import { byId, showNote } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
 import { figuresOf, MotionModel, samplesShown, spunAbout } from './motion_model.js';
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
-import { initialState, powerOfTwo, Store } from './state.js';
+import { initialState, noInterior, powerOfTwo, replaced, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
 import { chartColors, lightTheme, setThemeColors } from './theme.js';
 
@@ -31,6 +31,7 @@ import { chartColors, lightTheme, setThemeColors } from './theme.js';
 /** @typedef {{width: number, height: number, t?: number, theme?: string, show?: string[]}} PictureOptions */
 
 const times = ['t', 'from']; // values that change in each frame while it plays
+const ofMotion = /** @type {const} */ (['omega', 'moments', 'wheel', 'energy_loss_time']);
 const mostPixels = 4096; // per side of a picture
 const prefersLight = matchMedia('(prefers-color-scheme: light)');
 const prefersStill = matchMedia('(prefers-reduced-motion: reduce)');
@@ -65,6 +66,7 @@ export class App {
     });
     this.components = new Components(byId('components'), store, invalidate);
     this.startPanel = new StartPanel(store, data, () => this.model);
+    this.interiorPanel = new InteriorPanel(store, data, this.model);
     this.bodyPanel = new BodyPanel(store, data);
     this.viewPanel = new ViewPanel(store, data);
     this.comparePanel = new ComparePanel(store, core, data, invalidate);
@@ -91,9 +93,10 @@ export class App {
   }
 
   /** @param {State} state */
-  #modelOf({ moments, omega }) {
+  #modelOf({ moments, omega, wheel, energy_loss_time: energyLossTime }) {
     const inertia = moments ? diagonal(moments) : this.data.inertia;
-    return new MotionModel(this.core, inertia, omega, this.data.scene.overlay.trail_length);
+    const motion = this.core.motion(inertia, omega, { wheel, energyLossTime });
+    return new MotionModel(motion, this.data.scene.overlay.trail_length);
   }
 
   /** The name of the theme that is shown. @returns {string} */
@@ -110,7 +113,10 @@ export class App {
   #go(values) {
     const state = { ...this.store.initial, ...values };
     state.from = pageOf(state);
-    this.#modelOf(state).release();
+    const model = this.#modelOf(state),
+      { longest } = model.facts;
+    model.release();
+    if (state.t > longest) throw new CoreError(`t: the motion is computed up to ${longest} s`);
     this.store.set(state);
     this.pictures.follow();
     const isTourAlone = Object.keys(values).every((key) => ['tour', 'lang', 'theme'].includes(key));
@@ -122,7 +128,7 @@ export class App {
     const { initial } = this.store,
       { lang, theme, tour: number } = this.store.state,
       { values } = readLink(state, this.known);
-    const next = { ...initial, ...values, lang, theme, tour: number };
+    const next = { ...initial, ...noInterior, ...values, lang, theme, tour: number };
     const own = this.#modelOf(initial),
       [least, middle, greatest] = own.facts.moments;
     own.release();
@@ -143,20 +149,43 @@ export class App {
 
   /** @param {State} state @param {State} before */
   #changed(state, before) {
-    if (state.omega !== before.omega || state.moments !== before.moments) {
-      const last = this.model;
-      this.model = this.#modelOf(state);
-      this.runs.stop();
-      last.release();
+    if (ofMotion.some((key) => state[key] !== before[key]) && !this.#follow(state, before)) return;
+    const { kind, longest } = this.model.facts;
+    if (Math.max(state.t, state.from + state.length) > longest) {
+      const length = Math.min(state.length, longest);
+      this.store.set({ t: Math.min(state.t, longest), from: Math.min(state.from, longest - length), length });
     }
+    const exact = state.compare === 'off' || kind ? -1 : state.methods.indexOf('exact');
+    if (exact >= 0) this.store.set({ methods: replaced(state.methods, exact, 'taylor') });
     /** @type {Record<string, any>} */
     const old = before;
     if (Object.entries(state).some(([key, value]) => !times.includes(key) && value !== old[key])) this.dirty = true;
     if (state.lang !== before.lang) {
       setLanguage(state.lang);
-      for (const part of [this.viewPanel, this.comparePanel, this.transport]) part.relabel();
+      for (const part of [this.viewPanel, this.comparePanel, this.transport, this.interiorPanel]) part.relabel();
     }
     this.player.invalidate();
+  }
+
+  /**
+   * Changes the motion to that of the state. If it is impossible, restores the previous one, reports the
+   * error, and returns false.
+   * @param {State} state @param {State} before
+   */
+  #follow(state, before) {
+    try {
+      const last = this.model;
+      this.model = this.#modelOf(state);
+      this.runs.stop();
+      last.release();
+      showNote('interior-note', '');
+      return true;
+    } catch (error) {
+      if (!(error instanceof CoreError)) throw error;
+      this.store.set(before);
+      showNote('interior-note', error.message);
+      return false;
+    }
   }
 
   draw() {
@@ -179,9 +208,10 @@ export class App {
     this.transport.show(state, model);
     if (this.dirty) {
       this.startPanel.show(state);
+      this.interiorPanel.show(state, model);
       this.bodyPanel.show(state, model);
       this.viewPanel.show(state);
-      this.comparePanel.show(state);
+      this.comparePanel.show(state, model);
       this.tour.show(state);
       this.dirty = false;
     }

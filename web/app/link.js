@@ -49,6 +49,8 @@ export function readers({ limits, themes }, methods, tourSteps) {
       const values = moments(text);
       return values && Math.max(...values) <= limits.moment_ratio * Math.min(...values) ? values : undefined;
     },
+    wheel: numbers([limits.wheel, limits.wheel, limits.wheel]),
+    energy_loss_time: (text) => (text === 'inf' ? Infinity : number(limits.energy_loss_time[0], limits.energy_loss_time[1])(text)),
     theme: oneOf(['auto', ...Object.keys(themes)]),
     frame: oneOf(['space', 'body', 'rotating']),
     show: someOf(features),
@@ -111,5 +113,5 @@ export function linkTo(state, initial) {
   return pairs.join('&');
 }
 
-/** @param {any} value */
-const textOf = (value) => (Array.isArray(value) ? value.join(',') : String(value));
+/** A value in a link or on the command line. @param {any} value */
+export const textOf = (value) => (value === Infinity ? 'inf' : String(value));

@@ -2,42 +2,44 @@
 import { add, clamp, column, norm, scale } from '../math/linear.js';
 import { brief, duration } from '../words/words.js';
 
-/** @import { Core } from '../core/core.js' */
+/** @import { Motion } from '../core/core.js' */
 /** @import { State } from './types' */
 
 const radiansOfTrail = 12; // rotation of the body in the time that a trail covers
 
 export class MotionModel {
   /**
-   * @param {Core} core @param {number[]} inertia 9 numbers, g cm^2 @param {number[]} omega rad/s
+   * @param {Motion} motion
    * @param {number} [trailLength] s; default: the time of a rotation by 12 rad
    */
-  constructor(core, inertia, omega, trailLength) {
-    this.motion = core.motion(inertia, omega);
+  constructor(motion, trailLength) {
+    const { facts, omega } = motion;
+    this.motion = motion;
     this.omega = omega;
-    const { facts } = this.motion;
     this.facts = facts;
     this.atRest = norm(facts.momentum) === 0;
-    this.flips = facts.flips?.turnsOver ? facts.flips : null;
-    const rate = norm(omega);
+    const rate = norm(omega) || facts.rate;
     this.trailLength = trailLength ?? (rate > 0 ? radiansOfTrail / rate : 1);
   }
 
   /** Flips up to the time t, from 0. @param {number} t */
   flipsUntil(t) {
-    if (!this.flips || !Number.isFinite(this.flips.first) || t < this.flips.first) return 0;
-    if (!Number.isFinite(this.flips.interval)) return 1;
-    return 1 + Math.floor((t - this.flips.first) / this.flips.interval);
+    return this.facts.turnsOver ? this.motion.flipsUntil(t) : 0;
   }
 
   /** @param {number} t @returns {number | null} */
   nextFlip(t) {
-    return this.flips ? this.motion.nextFlip(t) : null;
+    return this.facts.turnsOver ? this.motion.nextFlip(t) : null;
   }
 
   /** @param {number} t @returns {number | null} */
   previousFlip(t) {
-    return this.flips ? this.motion.previousFlip(t) : null;
+    return this.facts.turnsOver ? this.motion.previousFlip(t) : null;
+  }
+
+  /** The energy at t as a fraction of that at 0. @param {number} t */
+  energyLeft(t) {
+    return this.motion.diagnose(this.motion.samples([t])).energy[0] / (this.facts.energy || 1);
   }
 
   release() {
@@ -93,8 +95,8 @@ export function trailTimes(t, length, rate) {
 }
 
 /**
- * The motion as the command line shown on the page computes it: exactly, or by the first of the
- * compared methods. Throws a CoreError if that method cannot compute it.
+ * The motion as the command line shown on the page computes it: the one shown, or that of the first
+ * of the compared methods. Throws a CoreError if that method cannot compute it.
  * @param {State} state @param {MotionModel} model @param {number[]} times
  */
 export function samplesShown({ compare, methods, step, tolerance }, { motion }, times) {

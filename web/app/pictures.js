@@ -8,6 +8,7 @@ import { boxSurface } from '../picture/surface.js';
 import { byId } from './dom.js';
 import { trailTimes } from './motion_model.js';
 import { framesPerSecond } from './player.js';
+import { hasMeaning, isRigid } from './state.js';
 
 /** @import { MotionModel } from './motion_model.js' */
 /** @import { State } from './types' */
@@ -61,7 +62,7 @@ export class Pictures {
   /** The trail of the exact motion, or of a method, that ends at t. @param {MotionModel} model @param {{samples: (times: number[]) => import("../core/types").Samples}} source */
   #trail(model, source) {
     const { t } = this.store.state;
-    return source.samples(trailTimes(t, model.trailLength, Math.hypot(...model.omega)));
+    return source.samples(trailTimes(t, model.trailLength, model.facts.rate));
   }
 
   /** The settings of the views, beside the motion. @param {MotionModel} model @param {string} theme */
@@ -72,17 +73,18 @@ export class Pictures {
       { azimuth, elevation, distance, field_of_view: fieldOfView } = scene.camera;
     // The part of the herpolhode around t, with as many turns as are distinguishable.
     const span = Math.min(
+      model.facts.longest,
       scene.motion.duration,
-      (pointsOfHerpolhode * widestTurn) / Math.max(Math.hypot(...model.omega), 1e-300),
+      (pointsOfHerpolhode * widestTurn) / Math.max(model.facts.rate, 1e-300),
     );
-    const curveBegin = span * Math.floor(state.t / span);
+    const curveBegin = isRigid(state) ? span * Math.floor(state.t / span) : 0;
     return {
       width: 1,
       height: 1,
       thinnest: 1,
       theme,
       frame: state.frame,
-      show: state.show,
+      show: state.show.filter((feature) => hasMeaning(feature, state, this.data)),
       azimuth,
       elevation,
       distance,
@@ -126,7 +128,11 @@ export class Pictures {
     const picture = this.#bodyPicture(model, name);
     this.bodyView.setBody(this.#surface, theme);
     this.bodyView.draw(picture);
-    for (const view of this.insets) view.draw({ ...picture, colors: theme.overlay });
+    for (const view of this.insets) {
+      const figure = /** @type {HTMLElement} */ (view.box.parentElement);
+      figure.hidden = !hasMeaning(view.box.id, this.store.state, this.data);
+      if (!figure.hidden) view.draw({ ...picture, colors: theme.overlay });
+    }
     return [...picture.instants[0].X.slice(-9)];
   }
 

@@ -4,6 +4,9 @@ import { clamp } from '../math/linear.js';
 
 /** @import { State } from './types' */
 
+/** The values of a body in which nothing moves, by their keys in scene files. */
+export const noInterior = { wheel: [0, 0, 0], energy_loss_time: Infinity };
+
 export const features = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
 
 /**
@@ -42,6 +45,8 @@ export function initialState({ scene }, languages) {
     speed: powerOfTwo(scene.film.speed),
     omega: scene.motion.omega,
     moments: null,
+    wheel: scene.motion.wheel ?? noInterior.wheel,
+    energy_loss_time: scene.motion.energy_loss_time ?? noInterior.energy_loss_time,
     theme: 'auto',
     frame: scene.camera.frame ?? 'space',
     show: features.filter((feature) => scene.overlay.show.includes(feature)),
@@ -56,6 +61,17 @@ export function initialState({ scene }, languages) {
     tour: 0,
   };
 }
+
+/** Whether nothing moves in the body. @param {State} state */
+export const isRigid = (state) => state.wheel.every((h) => h === 0) && state.energy_loss_time === Infinity;
+
+/**
+ * Whether an item of the film has a meaning for the motion.
+ * @param {string} feature @param {State} state @param {import("./types").PageData} data
+ */
+export const hasMeaning = (feature, state, { rigid_features, lossless_features }) =>
+  !(!isRigid(state) && rigid_features.includes(feature)) &&
+  !(state.energy_loss_time < Infinity && lossless_features.includes(feature));
 
 /** @typedef {(state: State, before: State) => void} Listener */
 

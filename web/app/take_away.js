@@ -3,37 +3,42 @@
 import { clamp } from '../math/linear.js';
 import { word } from '../words/words.js';
 import { samplesShown } from './motion_model.js';
-import { features } from './state.js';
+import { textOf } from './link.js';
+import { features, hasMeaning, isRigid, noInterior } from './state.js';
 
 /** @import { MotionModel } from './motion_model.js' */
 /** @import { PageData, State } from './types' */
 
 const mostRows = 20001;
+const tightest = 1e-15; // the tolerance of the motion shown, if it has no closed form
 
 /** Quotes a word for a shell. @param {string} text */
 const quoted = (text) => (/^[\w./:@%+=,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
 /** @param {string} option @param {number | string | string[] | number[]} value */
 const optionOf = (option, value) =>
-  `--${option}${String(value).startsWith('-') ? '=' : ' '}${quoted(String(value))}`;
+  `--${option.replaceAll('_', '-')}${textOf(value).startsWith('-') ? '=' : ' '}${quoted(textOf(value))}`;
 
 /** @param {any} a @param {any} b */
 const differ = (a, b) => String(a) !== String(b);
 
 /**
- * The values of the scene that the state changes, by table and key of scene files.
- * @param {State} state @param {PageData} data @param {string} theme The one shown.
+ * The values of the scene that the state may change, by table and key of scene files.
+ * @param {State} state @param {PageData} data @param {string} theme The one shown. @param {MotionModel} model
  * @returns {[string, string, any][]}
  */
-function changes(state, data, theme) {
+function valuesOf(state, data, theme, { facts }) {
   const { scene } = data,
-    { camera } = scene;
+    { camera, overlay } = scene;
   const [azimuth, elevation, zoom] = state.view;
-  const compared = state.compare !== 'off';
+  const compared = state.compare !== 'off',
+    method = compared ? state.methods[0] : facts.kind ? 'exact' : 'taylor';
   /** @type {[string, string, any][]} */
   const all = [
     ['motion', 'omega', state.omega],
-    ['motion', 'method', compared ? state.methods[0] : 'exact'],
+    ['motion', 'wheel', state.wheel],
+    ['motion', 'energy_loss_time', state.energy_loss_time],
+    ['motion', 'method', method],
     ['motion', 'duration', Math.max(state.from + state.length, state.t)],
     ['film', 'speed', state.speed],
     ['look', 'theme', theme],
@@ -48,14 +53,25 @@ function changes(state, data, theme) {
       ['motion', 'tolerance', state.tolerance],
       ['overlay', 'compare', state.methods],
     );
-  }
-  const given = data.source_scene ?? scene;
-  return all.filter(([table, key, value]) => differ(value, given[table]?.[key]));
+  } else if (!facts.kind) all.push(['motion', 'tolerance', tightest]);
+  // One motion instead of those that the film compares.
+  if (!compared && overlay.compare?.length) all.push(['overlay', 'compare', [method]]);
+  if (overlay.compare_wheel?.length) all.push(['overlay', 'compare_wheel', [state.wheel]]);
+  if (!isRigid(state) && !['wrench', 'momentum'].includes(overlay.view)) all.push(['overlay', 'view', 'wrench']);
+  return all;
+}
+
+/** Whether a value is not that of a scene. @param {[string, string, any]} value @param {Record<string, any>} scene */
+function isChanged([table, key, value], scene) {
+  /** @type {Record<string, any>} */
+  const defaults = noInterior;
+  return textOf(value) !== textOf(scene[table]?.[key] ?? defaults[key]);
 }
 
 /** The items to show: those of the film that cannot be chosen on the page, and the chosen ones. @param {State} state @param {PageData} data */
-function shownFeatures({ show }, { scene }) {
-  return [...scene.overlay.show.filter((/** @type {string} */ name) => !features.includes(name)), ...show];
+function shownFeatures(state, data) {
+  const others = data.scene.overlay.show.filter((/** @type {string} */ name) => !features.includes(name));
+  return [...others, ...state.show].filter((name) => hasMeaning(name, state, data));
 }
 
 /**
@@ -85,17 +101,17 @@ function inertiaOf(body) {
 
 /**
  * The command that renders the motion shown as a film.
- * @param {State} state @param {PageData} data @param {string} theme
+ * @param {State} state @param {PageData} data @param {string} theme @param {MotionModel} model
  */
-export function commandLine(state, data, theme) {
+export function commandLine(state, data, theme, model) {
   const source = data.source ?? data.scene.name,
     given = data.source_scene ?? data.scene;
   if (given.shot) return storyCommands(source);
   const parts = ['twrench render', ...[source, ...(data.source_options ?? [])].map(quoted)];
   const inertia = state.moments ?? inertiaOf(data.scene.body);
   if (differ(inertia, inertiaOf(given.body))) parts.push(optionOf('inertia', inertia));
-  for (const [, key, value] of changes(state, data, theme))
-    parts.push(optionOf(key, value));
+  for (const value of valuesOf(state, data, theme, model))
+    if (isChanged(value, given)) parts.push(optionOf(value[1], value[2]));
   const show = shownFeatures(state, data),
     before = given.overlay.show;
   const hidden = before.filter((/** @type {string} */ feature) => !show.includes(feature));
@@ -108,7 +124,7 @@ export function commandLine(state, data, theme) {
 /** A value in TOML. @param {any} value @returns {string} */
 function toml(value) {
   if (Array.isArray(value)) return `[${value.map(toml).join(', ')}]`;
-  if (typeof value !== 'string') return String(value);
+  if (typeof value !== 'string') return textOf(value);
   const escaped = (/** @type {string} */ c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`;
   return JSON.stringify(value).replace(/[\u007f-\u009f\u2028\u2029]/g, escaped);
 }
@@ -119,11 +135,14 @@ const tomlTable = (head, table) =>
 
 /**
  * The scene file of this motion.
- * @param {State} state @param {PageData} data @param {string} theme
+ * @param {State} state @param {PageData} data @param {string} theme @param {MotionModel} model
  */
-export function sceneFile(state, data, theme) {
+export function sceneFile(state, data, theme, model) {
   const { part, body, shot, name, title, ...tables } = structuredClone(data.scene);
-  for (const [table, key, value] of changes(state, data, theme)) (tables[table] ??= {})[key] = value;
+  for (const value of valuesOf(state, data, theme, model)) {
+    const [table, key] = value;
+    if (isChanged(value, tables)) (tables[table] ??= {})[key] = value[2];
+  }
   tables.overlay.show = shownFeatures(state, data);
   const texts = [
     `# Lengths in centimetres, masses in grams, times in seconds, angles in radians.\ntitle = ${toml(title ?? '')}\n`,
@@ -167,11 +186,13 @@ export function digits17(x) {
 export function csv(state, model, fps) {
   const samples = samplesShown(state, model, timesOf(state, fps)),
     found = model.motion.diagnose(samples);
+  const drift = model.facts.losesEnergy ? '' : ',energy_drift';
   const lines = [
-    't,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy,energy_drift,orthogonality_error,momentum_error',
+    `t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz,energy${drift},orthogonality_error,momentum_error`,
   ];
   const { t, X, omega } = samples;
-  const columns = [found.energy, found.energyDrift, found.orthogonalityError, found.momentumError];
+  const drifts = drift ? [found.energyDrift] : [];
+  const columns = [found.energy, ...drifts, found.orthogonalityError, found.momentumError];
   t.forEach((time, i) => {
     const motion = [time, ...X.subarray(9 * i, 9 * i + 9), ...omega.subarray(3 * i, 3 * i + 3)];
     lines.push([...motion, ...columns.map((column) => column[i])].map(digits17).join(','));

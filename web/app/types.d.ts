@@ -8,6 +8,8 @@ export interface State {
   speed: number; // Seconds of motion per second.
   omega: number[]; // At t = 0, body axes, rad/s.
   moments: number[] | null; // Of the body's x, y and z axes, g cm^2; null for the scene's body.
+  wheel: number[]; // Angular momentum of a wheel relative to the body, body axes, g cm^2/s.
+  energy_loss_time: number; // s; Infinity if no energy is lost.
   theme: string; // One of the page's data, or `auto`.
   frame: FrameName;
   show: string[]; // The items shown around the body.
@@ -50,11 +52,15 @@ export interface PageData {
   inertia: number[]; // body axes, g cm^2, row by row
   surface: Surface;
   themes: Record<string, any>;
+  rigid_features: string[]; // items of a film that have a meaning only for a rigid body
+  lossless_features: string[]; // and only if no energy is lost
   time_units: [number, number, string][]; // The longest first: the shortest time written in it, its length in s, its symbol.
   limits: {
     moment: number[];
     moment_ratio: number;
     omega: number[];
+    wheel: number[];
+    energy_loss_time: number[];
     step: number[];
     tolerance: number[];
     time: number[];

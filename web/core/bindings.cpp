@@ -12,12 +12,14 @@
 #include <twrench/motion/trajectory.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "body/dimensions.h"
 #include "motion.h"
 #include "recorded_run.h"
+#include "scene/scene.h"
 #include "scratch.h"
 
 namespace {
@@ -102,25 +104,45 @@ extern "C" {
   return json.c_str();
 }
 
-/// Creates the motion of the inertia and the omega in the scratch area.
+/// Creates the motion of the inertia, the omega, the wheel's angular momentum and the time constant
+/// of the energy loss in the scratch area.
 [[clang::export_name("motion_new")]] Motion* motion_new() {
-  return new Motion{motion::FreeBody(matrix_at(0), vector_at(9))};
+  return new Motion(motion::FreeBody(matrix_at(0), vector_at(9), Eigen::Matrix3d::Identity(),
+                                     {.wheel = vector_at(12), .energy_loss_time = numbers[15]}));
 }
 
 [[clang::export_name("motion_free")]] void motion_free(const Motion* motion) { delete motion; }
 
+/// Without a closed form there are no kind and no flips of one, but a greatest time, an upper bound
+/// of the rate, and whether the body turns over.
 [[clang::export_name("motion_facts")]] void motion_facts(const Motion* motion) {
-  const auto flips = motion->exact.flips();
+  const body::PrincipalAxes& principal = motion->body.principal();
   Results results(22);
-  results << motion->body.momentum() << motion->initial_energy << motion->body.principal().moments
-          << motion->body.principal().axes << static_cast<double>(motion->exact.kind())
-          << (flips ? 1.0 : 0.0);
+  results << motion->body.momentum() << motion->initial_energy << principal.moments
+          << principal.axes << (motion->exact ? 1.0 : 0.0);
+  if (!motion->exact) {
+    results << motion->integrated->longest() << scene::fastest_rate(motion->body)
+            << (page::turns_over(motion->body) ? 1.0 : 0.0);
+    return;
+  }
+  const auto flips = motion->exact->flips();
+  results << static_cast<double>(motion->exact->kind()) << (flips ? 1.0 : 0.0);
   if (!flips) return;
   results << flips->interval << flips->first << flips->asymptotic_interval << flips->swing;
 }
 
 [[clang::export_name("motion_samples")]] void motion_samples(const Motion* motion, std::size_t n) {
-  write_samples(motion->exact.at(times_at_beginning(n), 1));
+  write_samples(motion->at(times_at_beginning(n)));
+}
+
+// The flips of a motion without a closed form.
+
+[[clang::export_name("motion_flips_until")]] double motion_flips_until(const Motion* motion,
+                                                                       double t) {
+  return static_cast<double>(motion->integrated->flips_until(t));
+}
+[[clang::export_name("motion_flip")]] double motion_flip(const Motion* motion, std::size_t n) {
+  return motion->integrated->flip(n).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 [[clang::export_name("motion_integrate")]] void motion_integrate(const Motion* motion,
@@ -135,16 +157,21 @@ extern "C" {
 }
 
 /// Computes energies, energy drifts, orthogonality errors, momentum errors and distances from the
-/// exact motion of n samples: times, attitudes and velocities.
+/// motion of n samples: times, attitudes and velocities. If energy is lost, its drift is the
+/// difference from that of the motion.
 [[clang::export_name("motion_diagnose")]] void motion_diagnose(const Motion* motion,
                                                                std::size_t n) {
-  const std::vector<motion::Sample> exact = motion->exact.at(times_at_beginning(n), 1);
+  const auto diagnosed = [&](const motion::Sample& sample) {
+    return motion::diagnose(motion->body, motion->initial_energy, sample);
+  };
+  const std::vector<motion::Sample> exact = motion->at(times_at_beginning(n));
+  const bool is_lost = motion->body.energy_loss() > 0;
   std::vector<double> columns(5 * n);
   for (std::size_t i = 0; i < n; ++i) {
     const motion::Sample sample{numbers[i], matrix_at(n + 9 * i), vector_at(10 * n + 3 * i)};
-    const auto found = motion::diagnose(motion->body, motion->initial_energy, sample);
+    const auto found = diagnosed(sample);
     columns[i] = found.energy;
-    columns[n + i] = found.energy_drift;
+    columns[n + i] = found.energy_drift - (is_lost ? diagnosed(exact[i]).energy_drift : 0);
     columns[2 * n + i] = found.orthogonality_error;
     columns[3 * n + i] = found.momentum_error;
     columns[4 * n + i] = (sample.X - exact[i].X).norm();

@@ -12,9 +12,12 @@ import { matrix, Motion, vector } from './motion.js';
 export { CoreError };
 export { Motion, Run } from './motion.js';
 
-/** @import { MassProperties, Matrix, Method, Part, Shape, Stability, Vector } from './types' */
+/** @import { Interior, MassProperties, Matrix, Method, Part, Shape, Stability, Vector } from './types' */
 
 const stabilities = /** @type {const} */ (['unstable', 'stable', 'neutral']);
+
+/** Nothing moves in a rigid body. @type {Interior} */
+export const rigid = { wheel: [0, 0, 0], energyLossTime: Infinity };
 
 /** The diagonal matrix of moments. @param {readonly number[]} m @returns {Matrix} */
 export const diagonal = (m) => [m[0], 0, 0, 0, m[1], 0, 0, 0, m[2]];
@@ -46,12 +49,15 @@ export class Core {
 
   /**
    * The motion of a body with this inertia, g cm^2, and this angular velocity at t = 0, body axes,
-   * rad/s. Throws unless the inertia is symmetric and positive definite.
+   * rad/s. Throws unless the inertia is symmetric and positive definite. A body with a wheel or energy
+   * loss usually has no closed form; its motion is then integrated with `taylor` at tolerance 1e-15,
+   * from t = 0 to `facts.longest`.
    * @param {readonly number[]} inertia nine numbers
    * @param {readonly number[]} omega
+   * @param {Interior} [interior]
    */
-  motion(inertia, omega) {
-    return new Motion(this, inertia, omega);
+  motion(inertia, omega, interior = rigid) {
+    return new Motion(this, inertia, omega, interior);
   }
 
   /** @param {readonly Part[]} parts @returns {MassProperties} */

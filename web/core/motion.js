@@ -1,6 +1,6 @@
-/** A motion: exact at any t, or integrated by a method. */
+/** A motion: at any t, or integrated by a method. */
 /** @import { Core } from './core.js' */
-/** @import { Diagnostics, Facts, Kind, Matrix, Sample, Samples, StepControl, Vector } from './types' */
+/** @import { Diagnostics, Facts, Interior, Kind, Matrix, Sample, Samples, StepControl, Vector } from './types' */
 /** @import { Instance } from './instance.js' */
 
 const kinds = /** @type {Kind[]} */ (['steady', 'about_least', 'about_greatest', 'separatrix']);
@@ -61,8 +61,8 @@ class Sampled {
   }
 
   /**
-   * The samples at times in any order, s. A motion returns the exact ones, also before 0; a run advances
-   * to the last time if necessary.
+   * The samples at times in any order, s. A motion in closed form has them also before 0; a run
+   * advances to the last time if necessary.
    * @param {ArrayLike<number>} times
    */
   samples(times) {
@@ -83,36 +83,43 @@ class Sampled {
 }
 
 export class Motion extends Sampled {
-  /** @param {Core} core @param {readonly number[]} inertia @param {readonly number[]} omega */
-  constructor(core, inertia, omega) {
+  /** @param {Core} core @param {readonly number[]} inertia @param {readonly number[]} omega @param {Interior} interior */
+  constructor(core, inertia, omega, { wheel, energyLossTime }) {
     const { instance } = core,
-      numbers = [...inertia, ...omega];
+      numbers = [...inertia, ...omega, ...wheel, energyLossTime];
     super(instance, () => instance.callWith(numbers, 'motion_new'), 'motion');
     this.core = core;
     this.inertia = [...inertia];
     this.omega = [...omega];
+    this.interior = { wheel, energyLossTime };
     /** @type {Facts} */
-    this.facts = this.#facts();
+    this.facts = this.#facts(Number.isFinite(energyLossTime));
   }
 
-  #facts() {
-    const r = this.instance.compute(22, [], 'motion_facts', this.held.get());
+  /** @param {boolean} losesEnergy @returns {Facts} */
+  #facts(losesEnergy) {
+    const r = this.instance.compute(23, [], 'motion_facts', this.held.get());
     const moments = vector(r, 4);
-    const flips = {
-      interval: r[18],
-      first: r[19],
-      asymptoticInterval: r[20],
-      swing: r[21],
-      turnsOver: r[21] >= Math.PI / 2,
-    };
-    return {
-      kind: kinds[r[16]],
+    const common = {
       momentum: vector(r, 0),
       energy: r[3],
       moments,
       axes: matrix(r, 7),
-      flips: r[17] ? flips : null,
       isReal: moments[2] <= (moments[0] + moments[1]) * (1 + 1e-12),
+      losesEnergy,
+    };
+    if (!r[16]) {
+      const [longest, rate, turnsOver] = r.slice(17, 20);
+      return { ...common, kind: null, longest, rate, flips: null, turnsOver: turnsOver > 0 };
+    }
+    const [kind, hasFlips, interval, first, asymptoticInterval, swing] = r.slice(17, 23);
+    return {
+      ...common,
+      kind: kinds[kind],
+      longest: Infinity,
+      rate: Math.hypot(...this.omega),
+      flips: hasFlips ? { interval, first, asymptoticInterval, swing } : null,
+      turnsOver: hasFlips > 0 && swing >= Math.PI / 2,
     };
   }
 
@@ -129,7 +136,7 @@ export class Motion extends Sampled {
     return this.compute('integrate', times, index, step, tolerance, mostSteps);
   }
 
-  /** The deviations of samples from the exact motion and from the conserved quantities. @param {Samples} samples @returns {Diagnostics} */
+  /** The deviations of samples from the motion and from the conserved quantities. @param {Samples} samples @returns {Diagnostics} */
   diagnose(samples) {
     const n = samples.t.length;
     const numbers = new Float64Array(13 * n);
@@ -148,6 +155,7 @@ export class Motion extends Sampled {
 
   /** Flip n, s, counted from the first one after 0; NaN if there is none. @param {number} n */
   #flip(n) {
+    if (!this.facts.kind) return n >= 0 && this.facts.turnsOver ? this.call('flip', n) : NaN;
     const { first = NaN, interval = NaN } = this.facts.flips ?? {};
     const t = n === 0 ? first : first + n * interval; // on the separatrix there is only one
     return Number.isFinite(t) ? t : NaN;
@@ -155,9 +163,19 @@ export class Motion extends Sampled {
 
   /** The number of a flip near t; NaN if numbers that large are no longer exact. @param {number} t */
   #flipNear(t) {
+    if (!this.facts.kind) return Math.max(this.flipsUntil(t) - 1, 0);
     const { first = NaN, interval = NaN } = this.facts.flips ?? {};
     const n = Math.floor((t - first) / interval);
     return Number.isSafeInteger(n) ? n : NaN;
+  }
+
+  /** The number of flips from 0 to t, s. @param {number} t */
+  flipsUntil(t) {
+    const { kind, flips, turnsOver, longest } = this.facts;
+    if (!kind) return turnsOver ? this.call('flips_until', Math.min(t, longest)) : 0;
+    if (!flips || !Number.isFinite(flips.first) || t < flips.first) return 0;
+    if (!Number.isFinite(flips.interval)) return 1;
+    return 1 + Math.floor((t - flips.first) / flips.interval);
   }
 
   /**

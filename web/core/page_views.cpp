@@ -51,13 +51,13 @@ scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
   return scene;
 }
 
-/// The exact motion at these times, s.
+/// The motion at these times, s.
 std::vector<timeline::Solution> solution_of(const Motion& motion, std::span<const double> times) {
-  return {{.method = &motion::find_method("exact"),
+  return {{.method = &motion::find_method(motion.exact ? "exact" : "taylor"),
            .control = {},
            .body = motion.body,
            .initial_energy = motion.initial_energy,
-           .whole = motion.exact.at(times, 1),
+           .whole = motion.at(times),
            .flips = std::nullopt,
            .flip_times = {}}};
 }
@@ -115,10 +115,11 @@ std::unique_ptr<picture::SolutionView> make_inset(const Motion& motion, const Se
 
 /// The times at which the arrows must be in view of a camera that turns with a frame.
 std::vector<double> framed_times(const Motion& motion, double trail_length) {
-  const auto flips = motion.exact.flips();
+  const auto flips = motion.exact ? motion.exact->flips() : std::nullopt;
   const bool turns_over = flips && flips->swing >= std::numbers::pi / 2;
   const bool is_short = turns_over && std::isfinite(flips->interval);
-  return evenly_spaced(0, is_short ? 2 * flips->interval : 8 * trail_length, 720);
+  const double end = is_short ? 2 * flips->interval : 8 * trail_length;
+  return evenly_spaced(0, motion.exact ? end : std::min(end, motion.integrated->longest()), 720);
 }
 
 /// Adds a ring around the start. With it the user drags the start.

@@ -71,11 +71,13 @@ Vector3d on_sphere(const picture::Camera& camera, double x, double y) {
   return (eye + (along - std::sqrt(std::clamp(1 - aside, 0.0, 1.0))) * ray).normalized();
 }
 
-/// Writes the omega of the same momentum in another direction, given in the picture's coordinates.
+/// Writes the omega of a momentum of the same length in another direction, given in the picture's
+/// coordinates.
 void write_omega(const Motion& motion, const picture::MomentumView& view, const Vector3d& place) {
   const Vector3d momentum =
       motion.body.momentum().stableNorm() * (view.view_from_body().transpose() * place);
-  Results(3) << Vector3d(motion.body.inertia().ldlt().solve(momentum));
+  Results(3) << Vector3d(
+      motion.body.inertia().ldlt().solve(momentum - motion.body.interior().wheel));
 }
 
 void write_camera(Results& results, const picture::Camera& camera) {

@@ -48,7 +48,7 @@ motion::Sample RecordedRun::at(double t) {
   const auto after = std::upper_bound(begins_.begin(), begins_.end(), t,
                                       [](double time, const Begin& b) { return time < b.t; });
   const Begin& begin = *(after - 1);
-  if (t == 0) return {t, begin.X, body_.omega()};
+  if (t == 0) return {t, begin.X, body_.initial_rate()};
   const Eigen::Matrix3d X =
       t == begin.t ? begin.X : motion::take_step(body_, method_, begin.X, t - begin.t).X;
   return {t, X, motion::angular_velocity(body_, method_, X)};

@@ -19,13 +19,13 @@ export interface Samples {
   omega: Float64Array;
 }
 
-/** Deviations of samples from the conserved quantities and from the exact motion. */
+/** Deviations of samples from the conserved quantities and from the motion. */
 export interface Diagnostics {
   energy: Float64Array; // 1/2 omega . (I omega), g cm^2/s^2
-  energyDrift: Float64Array; // energy/energy(0) - 1
+  energyDrift: Float64Array; // energy/energy(0) - 1; if energy is lost, the difference from that of the motion
   orthogonalityError: Float64Array; // |X^T X - Id|, Frobenius
   momentumError: Float64Array; // |X I omega - L| / |L|
-  error: Float64Array; // |X - X_exact|, Frobenius; sqrt(2) a if the angle a is small
+  error: Float64Array; // |X - X of the motion|, Frobenius; sqrt(2) a if the angle a is small
 }
 
 export interface Method {
@@ -40,23 +40,32 @@ export interface Method {
   source: string;
 }
 
-/** Sign changes of omega along the intermediate axis. */
+/** What moves in a body. */
+export interface Interior {
+  wheel: readonly number[]; // angular momentum of a wheel relative to the body, body axes, g cm^2/s
+  energyLossTime: number; // time constant of the energy loss, s; Infinity if no energy is lost
+}
+
+/** Sign changes of omega along the intermediate axis, in closed form. */
 export interface Flips {
   interval: number; // s; Infinity on the separatrix
   first: number; // s, after t = 0
   asymptoticInterval: number; // s, its approximation near the separatrix
   swing: number; // rad, the angle through which the intermediate axis swings
-  turnsOver: boolean; // whether the body turns over instead of wobbling
 }
 
 /** The properties of a motion that do not depend on time. */
 export interface Facts {
-  kind: Kind;
+  kind: Kind | null; // null without a closed form: the motion is then integrated
+  longest: number; // the greatest t, s
+  rate: number; // |omega| at t = 0; without a closed form an upper bound at all times, rad/s
+  losesEnergy: boolean;
   momentum: Vector; // L in space axes, g cm^2/s; also the body momentum at t = 0
   energy: number; // 1/2 omega . (I omega), g cm^2/s^2
   moments: Vector; // principal moments, ascending, g cm^2
   axes: Matrix; // body_from_principal; column i is the axis of moments[i]
-  flips: Flips | null; // null for a steady motion and a symmetric body
+  flips: Flips | null; // null for a steady motion and a symmetric body, and without a closed form
+  turnsOver: boolean; // whether the body turns over instead of wobbling; false if energy is lost
   isReal: boolean; // whether a real body can have these moments (triangle inequality)
 }
 

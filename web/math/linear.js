@@ -9,6 +9,9 @@ export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 /** @type {(s: number, v: Vec3) => number[]} */
 export const scale = (s, v) => [s * v[0], s * v[1], s * v[2]];
 
+/** @type {(a: Vec3, b: Vec3) => number} */
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
 /** @type {(v: Vec3) => number} */
 export const norm = (v) => Math.hypot(v[0], v[1], v[2]);
 

@@ -1,4 +1,4 @@
-// Compares two methods with the exact motion: their choice, their step, and their errors.
+// Compares two methods with the motion, which is exact or, without a closed form, that of taylor: their choice, their step, and their errors.
 import { byId, radiosOf, selectOf, showNote, tableRow } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
 import { replaced } from '../app/state.js';
@@ -59,10 +59,16 @@ export class ComparePanel {
     return { key, cells: [...row.cells] };
   }
 
-  /** @param {State} state */
-  show(state) {
+  /** @param {State} state @param {MotionModel} model */
+  show(state, { facts }) {
     this.showMode(state.compare);
-    this.selects.forEach((select, i) => (select.value = state.methods[i]));
+    this.selects.forEach((select, i) => {
+      for (const option of select.options) option.disabled = option.value === 'exact' && !facts.kind;
+      select.value = state.methods[i];
+    });
+    const caption = byId('errors-say');
+    caption.dataset.word = facts.kind ? 'errorsSay' : 'errorsSayTaylor';
+    caption.textContent = word(caption.dataset.word);
     this.step.show(state.step);
     this.tolerance.show(state.tolerance);
     const used = state.methods.map((name) => this.core.method(name));
@@ -85,6 +91,7 @@ export class ComparePanel {
       report(runner, model, Math.min(state.t, runner.exact ? state.t : runner.reached)),
     );
     for (const { key, cells: [head, ...cells] } of this.rows) {
+      if (key === 'flipsSeen') head.parentElement?.toggleAttribute('hidden', model.facts.losesEnergy);
       head.textContent = word(key, model.flipsUntil(state.t));
       cells.forEach((cell, i) => (cell.textContent = reports[i]?.[key] ?? ''));
     }
@@ -139,7 +146,7 @@ function report(runner, model, t) {
     energyDrift: brief(found.energyDrift[0]),
     momentumError: brief(found.momentumError[0]),
     orthogonality: brief(found.orthogonalityError[0]),
-    flipsSeen: model.flips ? String(runner.flipsUntil(t)) : '–',
+    flipsSeen: model.facts.turnsOver ? String(runner.flipsUntil(t)) : '–',
     stepsTaken: runner.exact ? '–' : String(runner.steps),
   };
 }

@@ -18,7 +18,7 @@ const dashes = [[], [7, 3], [2, 3]]; // of the columns, which can thus be distin
  * @param {State} state @param {MotionModel} model @param {number} points
  */
 export function detailWindow({ t, from, length }, model, points) {
-  const longest = (points * widestTurn) / Math.max(Math.hypot(...model.omega), 1e-300);
+  const longest = (points * widestTurn) / Math.max(model.facts.rate, 1e-300);
   if (length <= longest) return { from, to: from + length };
   const page = Math.floor((t - from) / longest) * longest + from;
   return { from: page, to: page + longest };

@@ -10,7 +10,8 @@ import { brief, word } from '../words/words.js';
  * @property {string} [name] The visible name; default: the label.
  * @property {number[]} range Of the slider.
  * @property {boolean} [logarithmic] Whether the slider is logarithmic.
- * @property {number[]} limits The least and the greatest allowed value.
+ * @property {number[]} limits The least and the greatest allowed value. If that is infinite, so is the slider's end.
+ * @property {() => string} [hint] The tooltip; default: the label.
  * @property {(value: number) => void} set
  */
 
@@ -22,7 +23,7 @@ let nextId = 0;
  * @param {boolean} done Whether the reader has finished typing.
  */
 export function readNumber(input, [low, high], set, done) {
-  const text = input.value.trim().replace(',', '.').replace('−', '-');
+  const text = input.value.trim().replace(',', '.').replace('−', '-').replace(/^(∞|inf)$/, 'Infinity');
   const value = text === '' ? NaN : Number(text);
   const fits = value >= low && value <= high;
   input.ariaInvalid = String(!fits);
@@ -46,7 +47,12 @@ export class NumberField {
     this.name.htmlFor = this.text.id;
     this.field.append(this.name, this.slider, this.text);
     box.append(this.field);
-    this.slider.addEventListener('input', () => options.set(this.#fromSlider(Number(this.slider.value))));
+    this.span = 1;
+    this.slider.addEventListener('input', () => {
+      const value = Number(this.slider.value);
+      // A pointer finds 0 within a hundredth of the slider.
+      options.set(!options.logarithmic && Math.abs(value) < this.span / 200 ? 0 : this.#fromSlider(value));
+    });
     this.slider.addEventListener('keydown', (event) => this.#nudge(event));
     for (const type of /** @type {const} */ (['input', 'change']))
       this.text.addEventListener(type, () => readNumber(this.text, options.limits, options.set, type === 'change'));
@@ -59,6 +65,7 @@ export class NumberField {
     this.name.textContent = this.options.name ?? label;
     this.slider.setAttribute('aria-label', label);
     if (this.options.name) this.text.setAttribute('aria-label', label);
+    this.field.title = this.options.hint?.() ?? label;
   }
 
   /** @param {number[]} range */
@@ -70,7 +77,8 @@ export class NumberField {
 
   /** @param {number} value */
   #fromSlider(value) {
-    const { logarithmic } = this.options;
+    const { logarithmic, limits } = this.options;
+    if (limits[1] === Infinity && value >= Number(this.slider.max)) return Infinity;
     return Number((logarithmic ? 10 ** value : value).toPrecision(logarithmic ? 3 : 6));
   }
 
@@ -79,7 +87,7 @@ export class NumberField {
     const direction = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     if (!direction) return;
     event.preventDefault();
-    const step = (direction * (this.span ?? 1)) / (event.shiftKey ? 1000 : 100);
+    const step = (direction * this.span) / (event.shiftKey ? 1000 : 100);
     const { value: now, min, max } = this.slider,
       value = clamp(Number(now) + step, Number(min), Number(max));
     this.slider.value = String(value);
@@ -88,9 +96,10 @@ export class NumberField {
 
   /** @param {number} value */
   show(value) {
-    this.slider.value = String(this.options.logarithmic ? Math.log10(value) : value);
+    const { logarithmic } = this.options;
+    this.slider.value = value === Infinity ? this.slider.max : String(logarithmic ? Math.log10(value) : value);
     if (document.activeElement === this.text) return;
-    this.text.value = String(Number(value.toPrecision(8)));
+    this.text.value = value === Infinity ? '∞' : String(Number(value.toPrecision(8)));
     this.text.ariaInvalid = 'false';
     this.text.setCustomValidity('');
   }

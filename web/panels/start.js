@@ -1,8 +1,10 @@
-// The controls of the initial angular velocity and of the moments: sliders and text fields.
+// The controls of the initial angular velocity, of what moves in the body, and of the moments: sliders and
+// text fields.
 import { byId, element, radiosOf, showNote } from '../app/dom.js';
+import { column, dot, norm } from '../math/linear.js';
 import { spunAbout } from '../app/motion_model.js';
 import { replaced } from '../app/state.js';
-import { word } from '../words/words.js';
+import { brief, word } from '../words/words.js';
 import { NumberField } from './number_field.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
@@ -39,6 +41,63 @@ export class StartPanel {
   /** @param {State} state */
   show({ omega }) {
     this.fields.forEach((field, i) => field.show(omega[i]));
+  }
+}
+
+export class InteriorPanel {
+  /** @param {Store} store @param {PageData} data @param {MotionModel} model */
+  constructor(store, data, { facts }) {
+    const { wheel, energy_loss_time } = data.limits,
+      compared = data.scene.overlay.compare_wheel ?? [],
+      { initial } = store;
+    // A wheel can hold any rotation within this range: see docs/theory.md.
+    const holding = (facts.moments[2] - facts.moments[0]) * norm(initial.omega),
+      largest = Math.max(holding, ...[initial.wheel, ...compared].flat().map(Math.abs)) || 1,
+      turn = (2 * Math.PI) / (facts.rate || 1);
+    this.fields = [0, 1, 2].map(
+      (i) =>
+        new NumberField(byId('interior'), {
+          name: `h${'xyz'[i]}`,
+          label: () => `h${'xyz'[i]}, g cm²/s`,
+          range: [-1.5 * largest, 1.5 * largest],
+          limits: wheel,
+          set: (value) => store.set({ wheel: replaced(store.state.wheel, i, value) }),
+        }),
+    );
+    this.loss = new NumberField(byId('interior'), {
+      name: 'τ',
+      label: () => 'τ, s',
+      hint: () => word('lossHint'),
+      range: [turn, 1000 * turn],
+      logarithmic: true,
+      limits: [energy_loss_time[0], Infinity],
+      set: (value) => {
+        const time = value > energy_loss_time[1] ? Infinity : value;
+        const length = time < Infinity ? 5 * time : initial.length; // then most of the energy is lost
+        store.set({ energy_loss_time: time, t: 0, from: 0, length });
+      },
+    });
+    for (const each of compared) {
+      const button = element('button', '', `h = ${each.map(brief).join(', ')}`);
+      button.type = 'button';
+      button.addEventListener('click', () => store.set({ wheel: each, t: 0, from: 0 }));
+      byId('compared').append(button);
+    }
+  }
+
+  relabel() {
+    for (const field of [...this.fields, this.loss]) field.relabel();
+  }
+
+  /** @param {State} state @param {MotionModel} model */
+  show({ wheel, energy_loss_time }, { facts, omega }) {
+    this.fields.forEach((field, i) => field.show(wheel[i]));
+    this.loss.show(energy_loss_time);
+    const [least, middle, greatest] = facts.moments,
+      spin = Math.abs(dot(omega, column(facts.axes, 1)));
+    const canBeHeld =
+      least < middle && middle < greatest && spin > 0.95 * norm(omega) && !facts.losesEnergy;
+    showNote('holding', canBeHeld ? word('holding', brief((greatest - middle) * spin)) : '');
   }
 }
 

@@ -37,8 +37,8 @@ export class TakeAway {
   constructor({ store, data, model, theme, link, picture }) {
     const name = data.scene.name ?? 'twrench';
     onClick('copy-link', () => copy(link()));
-    onClick('copy-command', () => copy(commandLine(store.state, data, theme())));
-    onClick('copy-scene', () => copy(sceneFile(store.state, data, theme())));
+    onClick('copy-command', () => copy(commandLine(store.state, data, theme(), model())));
+    onClick('copy-scene', () => copy(sceneFile(store.state, data, theme(), model())));
     onClick('save-png', async () => save(await picture(), `${name}.png`));
     onClick('save-csv', () => {
       try {

@@ -53,14 +53,11 @@ export class Timeline {
     const { from, length } = this.store.state;
     const key = `${from} ${length}`;
     if (this.flipsFor?.model !== model || this.flipsFor.key !== key) {
-      const interval = model.flips?.interval ?? Infinity;
-      const dense = length / interval > mostFlips;
-      this.flipsFor = {
-        model,
-        key,
-        dense,
-        times: model.flips && !dense ? model.motion.flipTimes(from, from + length, mostFlips) : [],
-      };
+      const { flips, turnsOver } = model.facts;
+      let dense = turnsOver && length / (flips?.interval ?? Infinity) > mostFlips;
+      let times = turnsOver && !dense ? model.motion.flipTimes(from, from + length, mostFlips + 1) : [];
+      if (times.length > mostFlips) [dense, times] = [true, []];
+      this.flipsFor = { model, key, dense, times };
     }
     return this.flipsFor;
   }

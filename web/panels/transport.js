@@ -122,10 +122,11 @@ export class Transport {
       text = word('timeText', `${decimal(t / unit.length, 1)} ${unit.symbol}`, flips);
     for (const [key, value] of Object.entries({ min: from, max: from + length, now, text }))
       byId('timeline').setAttribute(`aria-value${key}`, String(value));
-    const says = model.flips
-      ? `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', duration(next - t))}`
-      : word('noFlips');
+    let says = word('noFlips');
+    if (model.facts.turnsOver)
+      says = `${word('flips', flips)} · ${next === null ? word('steady') : word('nextFlip', duration(next - t))}`;
+    if (model.facts.losesEnergy) says = word('energyLeft', decimal(100 * model.energyLeft(t), 1));
     byId('readout').textContent = `t = ${decimal(t / unit.length, inUnit)} ${unit.symbol} · ${says}`;
-    for (const id of ['flip-back', 'flip-on']) byId(id).toggleAttribute('disabled', !model.flips);
+    for (const id of ['flip-back', 'flip-on']) byId(id).toggleAttribute('disabled', !model.facts.turnsOver);
   }
 }

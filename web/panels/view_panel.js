@@ -1,6 +1,6 @@
 // The controls of the display: theme, language, frame of reference, overlays, full screen.
 import { byId, element, onClick, selectOf } from '../app/dom.js';
-import { features } from '../app/state.js';
+import { features, hasMeaning } from '../app/state.js';
 import { fillSelect, word } from '../words/words.js';
 
 /** @import { Store } from '../app/state.js' */
@@ -68,6 +68,9 @@ export class ViewPanel {
     this.theme.value = state.theme;
     this.lang.value = state.lang;
     this.frame.value = state.frame;
-    this.boxes.forEach((box, i) => (box.checked = state.show.includes(features[i])));
+    this.boxes.forEach((box, i) => {
+      box.checked = state.show.includes(features[i]);
+      /** @type {HTMLElement} */ (box.parentElement).hidden = !hasMeaning(features[i], state, this.data);
+    });
   }
 }

@@ -79,7 +79,7 @@ export class BodyView extends CanvasView {
   /** Places the theme's stars, which are at rest in space, as the scene's camera sees them. @param {MotionModel} model @param {Settings} settings */
   #placeStars({ motion }, settings) {
     const { width, height, show, frame, radius } = settings,
-      key = JSON.stringify([width, height, show, frame, radius, motion.omega, motion.inertia]);
+      key = JSON.stringify([width, height, show, frame, radius, motion.omega, motion.inertia, motion.interior]);
     if (this.starsFor === key) return;
     this.stars?.place(this.pictures.stars(motion, settings, this.theme.backdrop.stars));
     this.starsFor = key;

@@ -40,11 +40,11 @@ struct ScenePage {
 
 ScenePage page_of(const PageOptions& options, const std::string& empty, const scene::Scene& scene,
                   std::size_t index) {
-  const page::PageScene shown{scene, options.scenes.original(index),
+  const page::PageScene shown{page::shown_scene(scene), options.scenes.original(index),
                               options.scenes.sources().at(index),
                               options.scenes.mesh_options().given()};
   page::require_shown(scene);
-  std::string poster = poster_or_nothing(scene);
+  std::string poster = poster_or_nothing(shown.shown);
   page::PageDocument page = page::page_html(empty, shown, poster);
   for (const std::string& note : page.notes) say("twrench: {}\n", note);
   return {std::move(page.html), std::move(poster)};
@@ -78,8 +78,8 @@ void write_site(PageOptions& options) {
     const std::filesystem::path file = file_of(scenes[i]);
     ScenePage page = page_of(options, empty, scenes[i], i);
     system::write_file_atomically(file, page.html);
-    entries.push_back({file.filename().string(), scenes[i].shown_title(), motion_summary(scenes[i]),
-                       std::move(page.poster)});
+    entries.push_back({file.filename().string(), scenes[i].shown_title(),
+                       motion_summary(page::shown_scene(scenes[i])), std::move(page.poster)});
   }
   system::write_file_atomically(index, page::site_html(entries));
 }
