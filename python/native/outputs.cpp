@@ -25,7 +25,6 @@
 #include "report/command_lines.h"
 #include "report/file.h"
 #include "scene/fields.h"
-#include "scene/interior.h"
 #include "system/file.h"
 #include "system/output.h"
 #include "system/program.h"
