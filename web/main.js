@@ -4,6 +4,7 @@ import { App } from './app/app.js';
 import { languageOf } from './app/state.js';
 import { readCore, readPageData } from './app/page_data.js';
 import { Core } from './core/core.js';
+import { Graphics } from './picture/graphics.js';
 import { setLanguage, setTimeUnits, word } from './words/words.js';
 
 /** The interface for tests and for users' scripts. */
@@ -35,11 +36,12 @@ async function working() {
 
 async function start() {
   setLanguage(languageOf(navigator.languages));
-  if (!document.createElement('canvas').getContext('webgl2')) return;
+  const graphics = Graphics.create();
+  if (!graphics) return;
   const data = await readPageData();
   setTimeUnits(data.time_units);
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
-  app = new App(data, twrench.core);
+  app = new App(data, twrench.core, graphics);
 }
 
 twrench.ready = start();

@@ -65,10 +65,11 @@ export async function openOnDisplay(scale, file) {
 
 /**
  * Opens a page and waits until it is ready. Collects console errors and requests in `trouble`; a test
- * that expects none calls quiet().
+ * that expects none calls quiet(). `before` is a function that runs before the page's scripts.
  */
-export async function open(file, { hash = '', width = 900, height = 600, features } = {}) {
+export async function open(file, { hash = '', width = 900, height = 600, features, before } = {}) {
   const page = await browser.newPage();
+  if (before) await page.evaluateOnNewDocument(before);
   await page.setViewport({ width, height });
   if (features && !isFirefox) await page.emulateMediaFeatures(features);
   const trouble = watch(page, file);

@@ -39,8 +39,8 @@ const usualPush = 0.05; // deviation from the intermediate axis, as a fraction o
 const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
-  /** @param {PageData} data @param {Core} core */
-  constructor(data, core) {
+  /** @param {PageData} data @param {Core} core @param {import('../picture/graphics.js').Graphics} graphics */
+  constructor(data, core, graphics) {
     this.data = data;
     this.core = core;
     this.store = new Store(initialState(data, navigator.languages));
@@ -52,7 +52,11 @@ export class App {
     this.player = new Player(this.store, () => this.draw());
     const { store, player } = this,
       invalidate = () => player.invalidate();
-    this.pictures = new Pictures(store, data, player, this.runs, core);
+    this.pictures = new Pictures(store, data, player, this.runs, core, graphics, {
+      body: byId('body'),
+      sphere: byId('sphere'),
+      poinsot: byId('poinsot'),
+    });
     this.transport = new Transport(store, player, () => this.model);
     this.timeline = new Timeline(byId('timeline'), store, {
       invalidate,
@@ -194,7 +198,7 @@ export class App {
     setThemeColors(theme);
     this.runs.prepare(state, this.model);
     if (this.runs.advance(state.t)) this.player.invalidate();
-    this.#drawPanels(state, theme, this.pictures.draw(this.model, this.themeName, theme));
+    this.#drawPanels(state, theme, this.pictures.draw([this.model], this.themeName, theme));
   }
 
   /** @param {State} state @param {any} theme @param {number[]} X */
@@ -237,7 +241,7 @@ export class App {
       before = store.state;
     store.state = { ...before, t: t ?? before.t, theme: theme ?? before.theme, show: show ?? before.show };
     try {
-      return this.pictures.png(this.model, this.themeName, this.data.themes[this.themeName], width, height);
+      return this.pictures.png([this.model], this.themeName, this.data.themes[this.themeName], width, height);
     } finally {
       store.state = before;
     }

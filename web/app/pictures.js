@@ -5,7 +5,6 @@ import { InsetView } from '../views/inset_view.js';
 import { SphereView } from '../views/sphere_view.js';
 import { pngOf } from '../picture/png.js';
 import { boxSurface } from '../picture/surface.js';
-import { byId } from './dom.js';
 import { trailTimes } from './motion_model.js';
 import { framesPerSecond } from './player.js';
 import { hasMeaning, isRigid } from './state.js';
@@ -20,9 +19,10 @@ export class Pictures {
   /**
    * @param {import('./state.js').Store} store @param {import('./types').PageData} data
    * @param {import('./player.js').Player} player @param {import('./runs.js').Runs} runs
-   * @param {import('../core/core.js').Core} core
+   * @param {import('../core/core.js').Core} core @param {import('../picture/graphics.js').Graphics} graphics
+   * @param {Record<string, HTMLElement>} boxes Of the body's view and of the insets, by name.
    */
-  constructor(store, data, player, runs, core) {
+  constructor(store, data, player, runs, core, graphics, boxes) {
     this.store = store;
     this.data = data;
     this.player = player;
@@ -31,11 +31,11 @@ export class Pictures {
     this.box = null;
     const invalidate = () => player.invalidate();
     const shown = new CorePictures(core);
-    this.bodyView = new BodyView(byId('body'), invalidate, core, shown, data.scene.camera);
+    this.bodyView = new BodyView(boxes.body, graphics, invalidate, core, shown, data.scene.camera);
     this.insets = shown.names.insets.map((name) =>
       name === 'sphere'
-        ? new SphereView(byId(name), invalidate, shown, (omega) => store.set({ omega }))
-        : new InsetView(byId(name), invalidate, shown),
+        ? new SphereView(boxes[name], graphics, invalidate, shown, (omega) => store.set({ omega }))
+        : new InsetView(name, boxes[name], graphics, invalidate, shown),
     );
     this.bodyView.moved = () => {
       const { azimuth, elevation, zoom } = this.bodyView.view;
@@ -100,14 +100,24 @@ export class Pictures {
     };
   }
 
-  /** The contents of the body view. @param {MotionModel} model @param {string} theme */
-  #bodyPicture(model, theme) {
-    const sources = this.runs.runners.length ? this.runs.runners : [model.motion];
+  /** The motions to show: each, or each as the compared methods compute it. @param {MotionModel[]} models @param {string} theme */
+  #panes(models, theme) {
+    const { runners } = this.runs;
+    return models.flatMap((model) => {
+      const settings = this.#settings(model, theme),
+        sources = runners.length ? runners : [model.motion];
+      return sources.map((source) => ({ model, settings, instant: this.#trail(model, source) }));
+    });
+  }
+
+  /** The contents of the body view. @param {import('../views/body_view.js').Pane[]} panes @param {any} theme */
+  #bodyPicture(panes, theme) {
+    const isGhost = this.store.state.compare === 'ghost';
     return {
-      model,
-      instants: sources.map((source) => this.#trail(model, source)),
-      ghost: this.store.state.compare === 'ghost',
-      settings: this.#settings(model, theme),
+      panes: isGhost ? panes.slice(0, 1) : panes,
+      ghost: isGhost ? panes[1].instant : null,
+      surface: this.#surface,
+      theme,
     };
   }
 
@@ -121,38 +131,37 @@ export class Pictures {
 
   /**
    * Draws the views.
-   * @param {MotionModel} model @param {string} name of the theme @param {any} theme
-   * @returns {number[]} the attitude shown
+   * @param {MotionModel[]} models @param {string} name of the theme @param {any} theme
+   * @returns {number[]} the attitude of the first
    */
-  draw(model, name, theme) {
-    const picture = this.#bodyPicture(model, name);
-    this.bodyView.setBody(this.#surface, theme);
-    this.bodyView.draw(picture);
+  draw(models, name, theme) {
+    const panes = this.#panes(models, name),
+      [{ model, settings, instant }] = panes;
+    this.bodyView.draw(this.#bodyPicture(panes, theme));
+    const instants = panes.map((pane) => pane.instant);
     for (const view of this.insets) {
       const figure = /** @type {HTMLElement} */ (view.box.parentElement);
       figure.hidden = !hasMeaning(view.box.id, this.store.state, this.data);
-      if (!figure.hidden) view.draw({ ...picture, colors: theme.overlay });
+      if (!figure.hidden) view.draw({ model, settings, instants, colors: theme.overlay });
     }
-    return [...picture.instants[0].X.slice(-9)];
+    return [...instant.X.slice(-9)];
   }
 
   /**
    * The body as a PNG of any size.
-   * @param {MotionModel} model @param {string} name of the theme @param {any} theme
+   * @param {MotionModel[]} models @param {string} name of the theme @param {any} theme
    * @param {number} width @param {number} height in pixels
    * @returns {Promise<Blob>}
    */
-  png(model, name, theme, width, height) {
-    const { gl, canvas } = this.bodyView,
-      size = [canvas.width, canvas.height],
-      pixels = new Uint8Array(4 * width * height);
-    [canvas.width, canvas.height] = [width, height];
+  png(models, name, theme, width, height) {
+    const { bodyView } = this,
+      { graphics } = bodyView,
+      { canvas } = graphics,
+      size = [canvas.width, canvas.height];
     while (this.runs.advance(this.store.state.t));
-    this.bodyView.setBody(this.#surface, theme);
-    this.bodyView.draw(this.#bodyPicture(model, name));
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    [canvas.width, canvas.height] = size;
-    this.player.invalidate();
+    bodyView.paint(this.#bodyPicture(this.#panes(models, name), theme), width, height);
+    const pixels = graphics.read(width, height);
+    [canvas.width, canvas.height] = size; // otherwise a large picture's memory would be kept
     return pngOf(pixels, width, height);
   }
 }

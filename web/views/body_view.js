@@ -1,101 +1,82 @@
-// The rotating body, or two of them, side by side or one as a ghost over the other, seen by a camera
-// that may turn with a frame.
-import { BodyPass } from '../picture/body_pass.js';
-import { Ground } from '../picture/ground.js';
-import { Stars } from '../picture/stars.js';
-import { CanvasView } from './canvas_view.js';
+// The rotating body, or several of them side by side, or one as a ghost over another, seen by a camera that
+// may turn with a frame.
+import { CanvasView, pixelsOfUnit } from './canvas_view.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
-/** @import { FrameName } from '../app/types' */
-/** @import { Camera, Samples, Settings } from '../core/types' */
+/** @import { Samples, Settings } from '../core/types' */
 
+/** A motion with its trail, which ends at the present time. @typedef {{model: MotionModel, settings: Settings, instant: Samples}} Pane */
 /**
  * The contents of the view.
  * @typedef {object} BodyPicture
- * @property {MotionModel} model
- * @property {Samples[]} instants One, or two to compare, each with its trail, which ends at the present time.
- * @property {boolean} ghost Whether the second is a ghost over the first.
- * @property {Settings} settings
+ * @property {Pane[]} panes Side by side.
+ * @property {Samples | null} ghost Drawn over the first.
+ * @property {import("../app/types").Surface} surface Of the body.
+ * @property {any} theme
  */
 
 const ghostOpacity = 0.42;
 
 export class BodyView extends CanvasView {
   /**
-   * @param {HTMLElement} box @param {() => void} changed
+   * @param {HTMLElement} box @param {import("../picture/graphics.js").Graphics} graphics @param {() => void} changed
    * @param {import("../core/core.js").Core} core @param {import("../core/pictures.js").Pictures} pictures
    * @param {any} lens The scene's [camera]: azimuth, elevation, distance, field_of_view.
    */
-  constructor(box, changed, core, pictures, lens) {
-    super(box, changed);
+  constructor(box, graphics, changed, core, pictures, lens) {
+    super(box, graphics, changed);
     this.core = core;
     this.pictures = pictures;
     this.home = { azimuth: lens.azimuth, elevation: lens.elevation };
-    this.starsFor = '';
-    this.#prepare();
-  }
-
-  restore() {
-    super.restore();
-    this.#prepare();
-  }
-
-  #prepare() {
-    const { gl } = this;
-    this.ground = new Ground(gl);
-    this.stars = new Stars(gl);
-    this.starsFor = '';
-    this.body = null;
-    if (this.surface && this.theme) this.setBody(this.surface, this.theme);
-  }
-
-  /** @param {import("../app/types").Surface} surface @param {any} theme */
-  setBody(surface, theme) {
-    if (this.body && this.surface === surface && this.theme === theme) return;
-    this.surface = surface;
-    this.theme = theme;
-    this.body?.free();
-    this.body = new BodyPass(this.gl, this.core, surface, theme.materials);
   }
 
   /** @param {BodyPicture} picture */
   draw(picture) {
-    const { gl, canvas } = this;
-    if (!this.surface || !this.theme || gl.isContextLost()) return;
-    const count = picture.instants.length > 1 && !picture.ghost ? 2 : 1;
+    if (!this.isDrawn) return;
+    const { width, height } = this.canvas;
     let names = 0;
-    for (let i = 0; i < count; ++i) {
-      const left = Math.round((i * canvas.width) / count),
-        width = Math.round(((i + 1) * canvas.width) / count) - left;
-      const settings = { ...this.sized(picture.settings), width };
-      if (hasStars(this.theme, settings)) this.#placeStars(picture.model, settings);
-      const contents = this.pictures.body(picture.model.motion, settings, this.viewpoint, picture.instants[i]);
-      this.#drawPane(picture, i, contents, { left, width, inner: [i > 0 ? 1 : 0, i < count - 1 ? 1 : 0, 0, 0] });
-      names = this.showNames(contents.labels, { left: i / count, width: 1 / count }, names);
-    }
+    this.paint(picture, width, height).forEach((labels, i, { length }) => {
+      names = this.showNames(labels, { left: i / length, width: 1 / length }, names);
+    });
     this.hideNames(names);
-  }
-
-  /** Places the theme's stars, which are at rest in space, as the scene's camera sees them. @param {MotionModel} model @param {Settings} settings */
-  #placeStars({ motion }, settings) {
-    const { width, height, show, frame, radius } = settings,
-      key = JSON.stringify([width, height, show, frame, radius, motion.omega, motion.inertia, motion.interior]);
-    if (this.starsFor === key) return;
-    this.stars?.place(this.pictures.stars(motion, settings, this.theme.backdrop.stars));
-    this.starsFor = key;
+    this.graphics.copyTo(this.context);
   }
 
   /**
-   * @param {BodyPicture} picture @param {number} index Of the motion.
-   * @param {import("../core/types").Contents} contents
-   * @param {{left: number, width: number, inner: number[]}} pane
+   * Draws a picture of any size into the shared context.
+   * @param {BodyPicture} picture @param {number} width @param {number} height in pixels
+   * @returns {import("../core/types").Label[][]} the labels of each pane
    */
-  #drawPane({ instants, settings, ghost }, index, contents, { left, width, inner }) {
-    const { gl, canvas, body, ground, theme, pass } = this;
-    if (!body || !ground) return;
-    const { height } = canvas,
+  paint(picture, width, height) {
+    const { theme, panes } = picture;
+    this.graphics.begin(width, height);
+    return panes.map(({ model, settings, instant }, i) => {
+      const left = Math.round((i * width) / panes.length),
+        end = Math.round(((i + 1) * width) / panes.length);
+      const own = { ...settings, width: end - left, height, thinnest: pixelsOfUnit() };
+      if (hasStars(theme, own))
+        this.graphics.placeStars(this.pictures, model.motion, own, theme.backdrop.stars);
+      const contents = this.pictures.body(model.motion, own, this.viewpoint, instant);
+      this.#drawPane(picture, own, instant, contents, {
+        left,
+        inner: [i > 0 ? 1 : 0, i < panes.length - 1 ? 1 : 0, 0, 0],
+      });
+      return contents.labels;
+    });
+  }
+
+  /**
+   * @param {BodyPicture} picture @param {Settings} settings @param {Samples} instant
+   * @param {import("../core/types").Contents} contents
+   * @param {{left: number, inner: number[]}} place
+   */
+  #drawPane({ surface, theme, ghost }, settings, instant, contents, { left, inner }) {
+    const { gl } = this,
+      { ground, lists, stars } = this.graphics.objects,
+      { width, height } = settings,
       { camera } = contents,
-      X = lastAttitude(instants[index]);
+      body = this.graphics.body(this.core, surface, theme),
+      X = lastAttitude(instant);
     const hasFloor = settings.show.includes('floor') && settings.frame === 'space';
     if (hasFloor && theme.floor && camera.attitude[7] > 0) ground.reflect(body, camera, X, width / height);
     gl.viewport(left, 0, width, height);
@@ -109,13 +90,12 @@ export class BodyView extends CanvasView {
       floor: hasFloor,
       turned: this.view.azimuth !== 0 || this.view.elevation !== 0,
     });
-    if (hasStars(theme, settings)) this.stars?.draw(camera, height);
+    if (hasStars(theme, settings)) stars.draw(camera, height);
     body.draw(camera, X, { width, height });
-    pass.drawGhosts(contents);
-    pass.drawOpaque(contents);
-    if (ghost && instants[1])
-      body.drawGhost(camera, lastAttitude(instants[1]), { width, height }, ghostOpacity);
-    pass.drawTranslucent(contents);
+    lists.drawGhosts(contents);
+    lists.drawOpaque(contents);
+    if (ghost) body.drawGhost(camera, lastAttitude(ghost), { width, height }, ghostOpacity);
+    lists.drawTranslucent(contents);
     gl.disable(gl.SCISSOR_TEST);
   }
 }

@@ -1,12 +1,10 @@
-// Base of the views: a WebGL 2 canvas at the display's resolution, a camera that can be turned and zoomed
-// by mouse, touch, pen and keyboard, and labels of objects in space.
-import { byId } from '../app/dom.js';
+// Base of the views: a canvas at the display's resolution, drawn only while it is on the screen, a camera that
+// can be turned and zoomed by mouse, touch, pen and keyboard, and labels of objects in space.
 import { clamp } from '../math/linear.js';
-import { DrawListPass } from '../picture/draw_list_pass.js';
-import { word } from '../words/words.js';
 import { makeTurnable, turnByKey } from './turning.js';
 
 /** @import { Label, Viewpoint } from '../core/types' */
+/** @import { Graphics } from '../picture/graphics.js' */
 
 /** @param {number[]} color sRGB, 0 to 255 */
 export const css = (color) => `rgb(${color.map(Math.round).join(' ')})`;
@@ -18,27 +16,20 @@ export const pixelsOfUnit = () =>
 const mostElevation = Math.PI / 2 - 0.001,
   gapOfName = 13; // points from the end of an object to the middle of its name
 
-/** Number of canvases whose WebGL context is lost. */
-let canvasesLost = 0;
-
 export class CanvasView {
   /**
    * @param {HTMLElement} box The view draws to its first canvas and adds names beside it.
+   * @param {Graphics} graphics
    * @param {() => void} changed Called when the view must be drawn again.
    */
-  constructor(box, changed) {
+  constructor(box, graphics, changed) {
     this.box = box;
+    this.graphics = graphics;
     this.changed = changed;
     this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector('canvas'));
-    const gl = this.canvas.getContext('webgl2', {
-      antialias: true,
-      alpha: false,
-      stencil: false,
-      powerPreference: 'high-performance',
-    });
-    if (!gl) throw new Error('no WebGL 2');
-    this.gl = gl;
-    this.pass = new DrawListPass(gl);
+    this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
+    this.gl = graphics.gl;
+    this.isVisible = false;
     this.names = document.createElement('div');
     this.names.className = 'names';
     this.names.ariaHidden = 'true';
@@ -47,23 +38,16 @@ export class CanvasView {
     this.home = { azimuth: 0, elevation: 0 };
     makeTurnable(this);
     new ResizeObserver((entries) => this.#resize(entries[0])).observe(this.canvas);
-    this.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault(); // otherwise the browser would not restore the context
-      ++canvasesLost;
-      byId('note').textContent = word('graphicsLost');
-      byId('note').hidden = false;
-    });
-    this.canvas.addEventListener('webglcontextrestored', () => {
-      const note = byId('note');
-      if (--canvasesLost === 0 && note.textContent === word('graphicsLost')) note.hidden = true;
-      this.restore();
-      this.changed();
-    });
+    new IntersectionObserver((entries) => {
+      this.isVisible = entries[entries.length - 1].isIntersecting;
+      if (this.isVisible) this.changed();
+    }).observe(box);
+    graphics.listeners.push(() => this.changed());
   }
 
-  /** Recreates the objects of a lost context. */
-  restore() {
-    this.pass = new DrawListPass(this.gl);
+  /** Whether drawing would be seen. */
+  get isDrawn() {
+    return this.isVisible && !this.gl.isContextLost();
   }
 
   /**
@@ -95,19 +79,16 @@ export class CanvasView {
     this.changed();
   }
 
-  get aspect() {
-    return this.canvas.width / Math.max(1, this.canvas.height);
-  }
-
   /** The settings for the present size of the canvas. @param {import("../core/types").Settings} settings */
   sized(settings) {
     const { width, height } = this.canvas;
     return { ...settings, width, height, thinnest: pixelsOfUnit() };
   }
 
-  /** Fills the canvas with a colour. @param {number[]} color sRGB, 0 to 255 */
+  /** Begins a picture of the canvas' size, filled with a colour. @param {number[]} color sRGB, 0 to 255 */
   clear([red, green, blue]) {
     const { gl, canvas } = this;
+    this.graphics.begin(canvas.width, canvas.height);
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clearColor(red / 255, green / 255, blue / 255, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);

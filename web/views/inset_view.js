@@ -7,9 +7,14 @@ import { CanvasView } from './canvas_view.js';
 /** The contents of the view: one motion, or two to compare. @typedef {{model: MotionModel, settings: Settings, instants: Samples[], colors: any}} InsetPicture */
 
 export class InsetView extends CanvasView {
-  /** @param {HTMLElement} box Its id is the name of the inset. @param {() => void} changed @param {import("../core/pictures.js").Pictures} pictures */
-  constructor(box, changed, pictures) {
-    super(box, changed);
+  /**
+   * @param {string} name Of the inset.
+   * @param {HTMLElement} box @param {import("../picture/graphics.js").Graphics} graphics @param {() => void} changed
+   * @param {import("../core/pictures.js").Pictures} pictures
+   */
+  constructor(name, box, graphics, changed, pictures) {
+    super(box, graphics, changed);
+    this.name = name;
     this.pictures = pictures;
     this.facing = '';
     /** @type {{model: MotionModel, settings: Settings} | null} */
@@ -24,7 +29,7 @@ export class InsetView extends CanvasView {
   #facing({ motion }, settings) {
     const key = motion.inertia.join();
     if (key !== this.facing) {
-      this.home = this.pictures.home(this.box.id, motion, settings);
+      this.home = this.pictures.home(this.name, motion, settings);
       this.facing = key;
     }
     return { ...settings, ...this.home };
@@ -32,12 +37,13 @@ export class InsetView extends CanvasView {
 
   /** @param {InsetPicture} picture */
   draw({ model, settings, instants, colors }) {
-    if (this.gl.isContextLost()) return;
     const own = this.#facing(model, this.sized(settings));
     this.shown = { model, settings: own };
+    if (!this.isDrawn) return;
     this.clear(colors.panel);
-    const contents = this.pictures.inset(this.box.id, model.motion, own, this.viewpoint, instants);
-    this.pass.draw(contents);
+    const contents = this.pictures.inset(this.name, model.motion, own, this.viewpoint, instants);
+    this.graphics.objects.lists.draw(contents);
+    this.graphics.copyTo(this.context);
     this.hideNames(this.showNames(contents.labels));
   }
 }

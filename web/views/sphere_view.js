@@ -7,11 +7,12 @@ const startSize = 22, // points from its middle within which it can be dragged
 
 export class SphereView extends InsetView {
   /**
-   * @param {HTMLElement} box @param {() => void} changed @param {import("../core/pictures.js").Pictures} pictures
+   * @param {HTMLElement} box @param {import("../picture/graphics.js").Graphics} graphics @param {() => void} changed
+   * @param {import("../core/pictures.js").Pictures} pictures
    * @param {(omega: number[]) => void} start Starts the motion with that omega.
    */
-  constructor(box, changed, pictures, start) {
-    super(box, changed, pictures);
+  constructor(box, graphics, changed, pictures, start) {
+    super('sphere', box, graphics, changed, pictures);
     this.start = start;
   }
 
