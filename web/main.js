@@ -1,6 +1,7 @@
 // Starts the page, and defines the interface for scripts.
 import { byId, showNote } from './app/dom.js';
 import { App } from './app/app.js';
+import { Article } from './article/article.js';
 import { languageOf } from './app/state.js';
 import { readCore, readPageData } from './app/page_data.js';
 import { Core } from './core/core.js';
@@ -15,6 +16,8 @@ const twrench = {
   core: null,
   /** @param {number} t @returns {Promise<import("./core/types").Sample>} of the motion shown; of the first method if two are compared */
   sample: async (t) => (await working()).sample(t),
+  /** The figures of the article, in order: the time in s, the angular velocities of the bodies at t = 0, and whether it plays. */
+  figures: () => article?.figures() ?? [],
   /** @param {import("./app/app.js").PictureOptions} options @returns {Promise<string>} a PNG as a data URL */
   picture: async (options) => {
     const blob = await (await working()).picture(options);
@@ -26,6 +29,8 @@ Object.assign(window, { twrench });
 
 /** @type {App | undefined} */
 let app;
+/** @type {Article | undefined} */
+let article;
 
 /** Waits for the page and returns it; throws if it cannot run. */
 async function working() {
@@ -42,6 +47,8 @@ async function start() {
   setTimeUnits(data.time_units);
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
   app = new App(data, twrench.core, graphics);
+  if (data.article) article = new Article(app);
+  else app.player.play(!app.isStill);
 }
 
 twrench.ready = start();

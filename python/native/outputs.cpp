@@ -88,10 +88,10 @@ struct ScenePage {
 /// Throws Stopped between the steps.
 ScenePage page_of(const Scene& scene, const Scene& original, const std::string& source,
                   const Texts& source_options, const std::string& template_file,
-                  const std::atomic<bool>& stop) {
+                  bool has_article, const std::atomic<bool>& stop) {
   const std::string empty = page::page_template(template_file);
   page::require_shown(scene);
-  const page::PageScene shown{scene, original, source, source_options};
+  const page::PageScene shown{scene, original, source, source_options, has_article};
   std::string poster;
   Texts notes;
   try {
@@ -106,9 +106,11 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
 }
 
 ScenePage make_page(const Scene& scene, const Scene& original, const std::string& source,
-                    const Texts& source_options, const std::string& template_file) {
+                    const Texts& source_options, const std::string& template_file,
+                    bool has_article) {
   return run_interruptibly([&](const std::atomic<bool>& stop) {
-    return page_of(page::shown_scene(scene), original, source, source_options, template_file, stop);
+    return page_of(page::shown_scene(scene), original, source, source_options, template_file, has_article,
+                   stop);
   });
 }
 
@@ -154,7 +156,7 @@ Texts write_report(const Scene& scene, const Scene& original, const Texts& sourc
     Texts notes;
     if (interactive) {
       ScenePage page = page_of(scene, original, words.front(),
-                               Texts(source.begin() + 1, source.end()), {}, stop);
+                               Texts(source.begin() + 1, source.end()), {}, false, stop);
       notes = page.page.notes;
       viewer = {std::move(page.page.html), std::move(page.policy), std::move(page.poster)};
     }

@@ -264,7 +264,12 @@ class Page:
     def poster(self) -> str: ...
 
 def page(
-    scene: Scene, original: Scene, source: str, source_options: list[str], template: str
+    scene: Scene,
+    original: Scene,
+    source: str,
+    source_options: list[str],
+    template: str,
+    has_article: bool,
 ) -> Page: ...
 def report(
     scene: Scene,

@@ -489,7 +489,7 @@ class Scene:
         ``allow-same-origin``.
         """
         try:
-            html = self._page("").html
+            html = self._page("", has_article=False).html
         except UsageError:  # It has shots or an attitude, which pages do not support.
             return None
         except FileError:  # This build has no page.
@@ -500,17 +500,20 @@ class Scene:
         style = "width: 100%; height: 600px; border: 0"
         return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{text}"></iframe>'
 
-    def _page(self, template: str) -> _native.Page:
+    def _page(self, template: str, *, has_article: bool) -> _native.Page:
         words = _mesh_words(self._of_mesh)
-        page = _native.page(self._snapshot(), self._original, self._source, words, template)
+        page = _native.page(
+            self._snapshot(), self._original, self._source, words, template, has_article
+        )
         for note in page.notes:
             warnings.warn(note, stacklevel=3)
         return page
 
-    def page(self, path: StrPath, *, template: StrPath | None = None) -> Path:
+    def page(self, path: StrPath, *, lab: bool = False, template: StrPath | None = None) -> Path:
         """Writes an HTML file with an interactive view of the motion, as ``twrench page`` does.
 
         :param path: the file.
+        :param lab: leave out the article, which explains why the body turns over.
         :param template: the page without a scene, as built by scripts/page.sh; None for the
             built-in one.
         :returns: the path. The page needs no network and no server.
@@ -518,7 +521,9 @@ class Scene:
         :raises FileError: if the file cannot be written, or this build has no page.
         """
         file = self._output(path)
-        page = self._page("" if template is None else _arguments.path("template", template))
+        page = self._page(
+            "" if template is None else _arguments.path("template", template), has_article=not lab
+        )
         _native.write_file(file, page.html.encode("utf-8"))
         return file
 

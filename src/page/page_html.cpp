@@ -21,6 +21,7 @@ namespace {
 std::string scene_html(const PageScene& scene, const Surface& surface) {
   nlohmann::ordered_json json = page_json(scene.shown, surface);
   json["program"] = "twrench " TWRENCH_VERSION;
+  json["article"] = scene.has_article;
   json["source"] = scene.source;
   json["source_options"] = scene.source_options;
   json["source_scene"] = scene::scene_json(scene.original);

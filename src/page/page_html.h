@@ -22,6 +22,8 @@ struct PageScene {
   std::string source;
   /// The options that follow the source in a command line, if it is a mesh.
   std::vector<std::string> source_options;
+  /// Whether the article, which explains the motion, is above the lab.
+  bool has_article = false;
 };
 
 /// A page with its scene.

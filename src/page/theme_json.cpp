@@ -5,6 +5,7 @@
 
 #include "base/enumeration.h"
 #include "picture/body/shader_constants.h"
+#include "picture/look/force_style.h"
 #include "picture/look/theme.h"
 
 namespace twrench::page {
@@ -29,6 +30,13 @@ ordered_json floor_json(const std::optional<picture::FloorStyle>& floor) {
           {"clouds", floor->clouds}};
 }
 
+ordered_json forces_json(const picture::OverlayColors& colors) {
+  using enum picture::Force;
+  return {{"centrifugal", color_json(color_of(centrifugal, colors))},
+          {"coriolis", color_json(color_of(coriolis, colors))},
+          {"constraint", color_json(color_of(constraint, colors))}};
+}
+
 ordered_json overlay_json(const picture::OverlayColors& colors) {
   ordered_json axis = ordered_json::array(), curve = ordered_json::array();
   for (const Color& color : colors.axis) axis.push_back(color_json(color));
@@ -37,7 +45,8 @@ ordered_json overlay_json(const picture::OverlayColors& colors) {
           {"panel", color_json(colors.panel)}, {"panel_opacity", colors.panel_opacity},
           {"axis", std::move(axis)},           {"momentum", color_json(colors.momentum)},
           {"omega", color_json(colors.omega)}, {"trail", color_json(colors.trail)},
-          {"plane", color_json(colors.plane)}, {"curve", std::move(curve)}};
+          {"plane", color_json(colors.plane)}, {"curve", std::move(curve)},
+          {"forces", forces_json(colors)}};
 }
 
 /// The keys are the names of the style sheet's properties.

@@ -71,6 +71,15 @@ TEST(Page, HasTheSceneWithItsOverridesAndWithout) {
   EXPECT_EQ(scene["themes"].size(), 3U);
 }
 
+TEST(Page, HasTheArticleUnlessItIsTheLab) {
+  const ScratchFolder folder;
+  write_template(folder);
+  ASSERT_EQ(run_twrench(folder, "page --template t.html -o a.html").code, 0);
+  EXPECT_EQ(scene_of(text_of(folder / "a.html"))["article"], true);
+  ASSERT_EQ(run_twrench(folder, "page --lab --template t.html -o b.html").code, 0);
+  EXPECT_EQ(scene_of(text_of(folder / "b.html"))["article"], false);
+}
+
 TEST(Page, WritesAllBuiltInScenesAndTheirIndex) {
   const ScratchFolder folder;
   write_template(folder);

@@ -1,4 +1,4 @@
-// Tests of a page's controls: each by mouse and by keyboard, links, copied and saved texts, and
+// Tests of the lab's controls: each by mouse and by keyboard, links, copied and saved texts, and
 // accessibility.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -8,7 +8,8 @@ import { dirname, join } from 'node:path';
 import { folder, open, openOnDisplay, run, twrench, writePage } from './browser.mjs';
 import { copied, enter, sample, saved, settle, shown, still, time } from './controls.mjs';
 
-const flip = writePage('flip.html');
+const labOf = (name, ...words) => writePage(name, '--lab', ...words);
+const flip = labOf('flip.html');
 const axe = readFileSync(join(dirname(createRequire(import.meta.url).resolve('axe-core')), 'axe.min.js'), 'utf8');
 
 const tests = {
@@ -81,8 +82,8 @@ const tests = {
     quiet();
   },
 
-  async 'time suits any motion: days, microseconds, and the tour too'() {
-    const slow = writePage('toutatis.html', 'toutatis');
+  async 'time suits any motion: days and microseconds'() {
+    const slow = labOf('toutatis.html', 'toutatis');
     const { page, quiet } = await open(slow, still);
     const speeds = await page.$$eval('#speed option', (options) => options.map((option) => option.textContent));
     assert.ok(speeds.every((text) => /^[\d.]+ (s|min|h|d)\/s$/.test(text)), speeds.join(', '));
@@ -90,16 +91,6 @@ const tests = {
     await page.waitForFunction(() => Number(document.getElementById('timeline').ariaValueNow) > 1e5, { timeout: 20_000 });
     await page.click('#play');
     assert.match(await shown(page, '#readout'), /^t = [\d.]+ (h|d) · flips: \d+ · next in [\d.]+ (s|min|h|d)$/);
-    await page.click('#open-tour');
-    await settle(page);
-    const length = Number(await page.$eval('#length', (input) => input.value));
-    await page.click('#flip-on');
-    await settle(page);
-    const first = await time(page);
-    await page.click('#flip-on');
-    await settle(page);
-    const flips = length / ((await time(page)) - first);
-    assert.ok(flips > 3 && flips < 5, `the tour's timeline has ${flips} intervals`);
     quiet();
     const fast = await open(flip, { ...still, hash: '#omega=1e6,5e4,0&length=1e-4&speed=1e-6' });
     await settle(fast.page);
@@ -214,7 +205,7 @@ const tests = {
       [['--inertia', '2,3,4,0.25,-0.125,0.5'], '#omega=0.5,1.25,0.375'],
       [[], '#moments=2,3,4&omega=-0.5,1.25,0.375&theme=paper&frame=rotating&show=floor&view=0.5,0.25,2'],
     ]) {
-      const { page, quiet } = await open(writePage('copied.html', ...words), { ...still, hash });
+      const { page, quiet } = await open(labOf('copied.html', ...words), { ...still, hash });
       const command = await copied(page, '#copy-command');
       assert.match(command, /^twrench render .* -o flip\.mp4$/);
       const frames = join(folder, `copied-${Math.random()}`);
@@ -239,7 +230,7 @@ const tests = {
   },
 
   async 'the page of a story gives its command, and the scene file for what is shown'() {
-    const { page, quiet } = await open(writePage('story.html', 'explain'), { ...still, hash: '#omega=0.5,1.25,0.375' });
+    const { page, quiet } = await open(labOf('story.html', 'explain'), { ...still, hash: '#omega=0.5,1.25,0.375' });
     const lines = (await copied(page, '#copy-command')).split('\n');
     assert.match(lines[0], /^# .*shots/);
     assert.equal(lines[1], 'twrench render explain -o story.mp4');
@@ -261,7 +252,7 @@ const tests = {
       [['stable-y', '--omega', '0.2,1.5,0.3', '--duration', '10'], '', ['--method', 'exact'], 3e-14],
       [['dzhanibekov', '--duration', '5'], '#compare=ghost&methods=rk4,exact&step=0.25', ['--method', 'rk4', '--step', '0.25'], 1e-13],
     ]) {
-      const { page, quiet } = await open(writePage('data.html', ...words), { ...still, hash });
+      const { page, quiet } = await open(labOf('data.html', ...words), { ...still, hash });
       const text = await saved(page, '#save-csv');
       const expected = twrench('simulate', ...words, ...more);
       const [head, ...rows] = text.trim().split('\n'), [expectedHead, ...expectedRows] = expected.trim().split('\n');
@@ -312,7 +303,7 @@ const tests = {
     for (const [hash, size] of [
       ['', { width: 1280, height: 800 }],
       ['#theme=paper&lang=nb&compare=beside&moments=1,2,9', { width: 1280, height: 800 }],
-      ['#theme=space&tour=3&compare=ghost', { width: 360, height: 740 }],
+      ['#theme=space&compare=ghost', { width: 360, height: 740 }],
     ]) {
       const { page, quiet } = await open(flip, { ...still, ...size, hash });
       await page.$eval('#data', (details) => (details.open = true));

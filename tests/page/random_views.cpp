@@ -63,6 +63,7 @@ class Dice {
     settings.thinnest = between(1, 3);
     settings.frame = below(static_cast<int>(enumerators<scene::Frame>.size()));
     settings.show = below(1 << enumerators<scene::Feature>.size());
+    settings.stress = below(2) * below(1 << enumerators<scene::Feature>.size());
     settings.azimuth = between(-3, 3);
     settings.elevation = between(-1, 1);
     settings.distance = between(0.5, 2);

@@ -36,11 +36,12 @@ const arraysOf = ({ opaque, translucent }) =>
     ...[items, outlines, ghosts].flatMap(({ faces, edgeQuads }) => [faces, edgeQuads]),
   ]);
 
-const names = ({ themes, frames, features }, { theme, frame, show, ...rest }) => ({
+const names = ({ themes, frames, features }, { theme, frame, show, stress, ...rest }) => ({
   ...rest,
   theme: themes[theme],
   frame: frames[frame],
   show: features.filter((_, i) => (show >> i) & 1),
+  stress: features.filter((_, i) => (stress >> i) & 1),
 });
 
 let at = 0,

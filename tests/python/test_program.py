@@ -71,10 +71,12 @@ def test_an_animation_and_an_ephemeris_are_those_of_the_program(program, tmp_pat
         assert mine.read_bytes() == theirs.read_bytes()
 
 
-def test_a_page_is_that_of_the_program(program, tmp_path, template):
+@pytest.mark.parametrize(("lab", "options"), [(False, []), (True, ["--lab"])])
+def test_a_page_is_that_of_the_program(program, tmp_path, template, lab, options):
     mine, theirs = tmp_path / "mine.html", tmp_path / "theirs.html"
-    Scene("stable-y", omega=(0, 2, 0.5)).page(mine, template=template)
-    program("page", "stable-y", "--omega", "0,2,0.5", "--template", template, "-o", theirs)
+    Scene("stable-y", omega=(0, 2, 0.5)).page(mine, lab=lab, template=template)
+    words = ["--omega", "0,2,0.5", "--template", template, *options]
+    program("page", "stable-y", *words, "-o", theirs)
     assert mine.read_bytes() == theirs.read_bytes()
 
 

@@ -1,5 +1,5 @@
 // Keeps the state in the page's address: reads it when the address changes, and updates it.
-import { messageOf, showNote } from './dom.js';
+import { byId, messageOf, showNote } from './dom.js';
 import { linkTo, readLink } from './link.js';
 import { word } from '../words/words.js';
 
@@ -31,7 +31,7 @@ export class Address {
 
   /** Applies the state in the address. */
   follow() {
-    if (location.hash === this.own) return;
+    if (location.hash === this.own || byId(location.hash.slice(1))) return; // or a link to a part of the page
     const { values, ignored } = readLink(location.hash, this.known);
     try {
       this.go(values);

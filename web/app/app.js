@@ -6,27 +6,24 @@ import { DataTable } from '../panels/data_table.js';
 import { BodyPanel, InteriorPanel, StartPanel } from '../panels/start.js';
 import { listenToKeys } from '../panels/keys.js';
 import { Timeline } from '../panels/timeline.js';
-import { Tour } from '../panels/tour.js';
 import { Transport } from '../panels/transport.js';
 import { ViewPanel } from '../panels/view_panel.js';
 import { setLanguage } from '../words/words.js';
-import tour from '../tour/tour.json';
 import { CoreError, diagonal } from '../core/core.js';
 import { firstOf } from '../core/motion.js';
-import { norm } from '../math/linear.js';
 import { byId, showNote } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
-import { figuresOf, MotionModel, samplesShown, spunAbout } from './motion_model.js';
+import { MotionModel, samplesShown } from './motion_model.js';
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
-import { initialState, noInterior, powerOfTwo, replaced, Store } from './state.js';
+import { initialState, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
 import { chartColors, lightTheme, setThemeColors } from './theme.js';
 
 /** @import { Core } from '../core/core.js' */
-/** @import { TourStep } from '../panels/tour.js' */
+/** @import { Graphics } from '../picture/graphics.js' */
 /** @import { PageData, State } from './types' */
 /** @typedef {{width: number, height: number, t?: number, theme?: string, show?: string[]}} PictureOptions */
 
@@ -35,17 +32,18 @@ const ofMotion = /** @type {const} */ (['omega', 'moments', 'wheel', 'energy_los
 const mostPixels = 4096; // per side of a picture
 const prefersLight = matchMedia('(prefers-color-scheme: light)');
 const prefersStill = matchMedia('(prefers-reduced-motion: reduce)');
-const usualPush = 0.05; // deviation from the intermediate axis, as a fraction of the angular velocity
-const threeMoments = [700, 1000, 1500]; // g cm^2, for the tour of a body without three different ones
 
 export class App {
-  /** @param {PageData} data @param {Core} core @param {import('../picture/graphics.js').Graphics} graphics */
+  /** @param {PageData} data @param {Core} core @param {Graphics} graphics */
   constructor(data, core, graphics) {
     this.data = data;
     this.core = core;
+    this.graphics = graphics;
+    /** @type {(() => void)[]} Called when the reader's preferred theme changes. */
+    this.themeListeners = [];
     this.store = new Store(initialState(data, navigator.languages));
     const methods = core.methods.map(({ name }) => name);
-    this.known = readers(data, methods, tour.steps.length);
+    this.known = readers(data, methods);
     this.model = this.#modelOf(this.store.state);
     this.runs = new Runs();
     this.announcer = new Announcer();
@@ -67,6 +65,7 @@ export class App {
     listenToKeys({
       toggle: () => player.play(!player.playing),
       step: (direction) => this.transport.step(direction),
+      isActive: () => this.pictures.bodyView.isVisible,
     });
     this.components = new Components(byId('components'), store, invalidate);
     this.startPanel = new StartPanel(store, data, () => this.model);
@@ -75,8 +74,6 @@ export class App {
     this.viewPanel = new ViewPanel(store, data);
     this.comparePanel = new ComparePanel(store, core, data, invalidate);
     this.table = new DataTable(invalidate);
-    const figures = () => figuresOf(this.model);
-    this.tour = new Tour(/** @type {any} */ (tour.steps), store, (step) => this.#enter(step), figures);
     this.takeAway = new TakeAway({
       store,
       data,
@@ -89,11 +86,18 @@ export class App {
     this.address = new Address(this.store, this.known, this.player, (values) => this.#go(values));
     this.address.follow();
     addEventListener('resetview', () => this.pictures.bodyView.resetView());
-    prefersLight.addEventListener('change', () => this.#changed(this.store.state, this.store.state));
+    prefersLight.addEventListener('change', () => {
+      this.#changed(this.store.state, this.store.state);
+      for (const listener of this.themeListeners) listener();
+    });
     byId('instead').hidden = true;
     for (const id of ['live', 'tools', 'footer']) byId(id).hidden = false;
     this.#changed(this.store.state, { ...this.store.state, lang: /** @type {any} */ ('') });
-    this.player.play(!prefersStill.matches);
+  }
+
+  /** Whether the reader prefers pictures that do not play by themselves. */
+  get isStill() {
+    return prefersStill.matches;
   }
 
   /** @param {State} state */
@@ -123,32 +127,6 @@ export class App {
     if (state.t > longest) throw new CoreError(`t: the motion is computed up to ${longest} s`);
     this.store.set(state);
     this.pictures.follow();
-    const isTourAlone = Object.keys(values).every((key) => ['tour', 'lang', 'theme'].includes(key));
-    if (state.tour && isTourAlone) this.#enter(/** @type {any} */ (tour.steps[state.tour - 1]));
-  }
-
-  /** Puts the page into the state of a step of the tour. @param {TourStep} step */
-  #enter({ spin, push, state, play, flips, flipSeconds, radiansOfStep }) {
-    const { initial } = this.store,
-      { lang, theme, tour: number } = this.store.state,
-      { values } = readLink(state, this.known);
-    const next = { ...initial, ...noInterior, ...values, lang, theme, tour: number };
-    const own = this.#modelOf(initial),
-      [least, middle, greatest] = own.facts.moments;
-    own.release();
-    if (Math.min(middle - least, greatest - middle) < 0.01 * greatest) next.moments = threeMoments;
-    const body = this.#modelOf(next);
-    next.omega = spunAbout(body, ['least', 'middle', 'greatest'].indexOf(spin), push);
-    const flipping = this.#modelOf({ ...next, omega: spunAbout(body, 1, usualPush) }),
-      interval = flipping.facts.flips?.interval ?? initial.length / flips;
-    next.length = Number((1.02 * flips * interval).toPrecision(2));
-    next.speed = powerOfTwo(interval / flipSeconds);
-    if (radiansOfStep) next.step = Number((radiansOfStep / norm(next.omega)).toPrecision(2));
-    flipping.release();
-    body.release();
-    this.store.set(next);
-    this.pictures.follow();
-    this.player.play(play && !prefersStill.matches);
   }
 
   /** @param {State} state @param {State} before */
@@ -190,11 +168,14 @@ export class App {
       showNote('interior-note', error.message);
       return false;
     }
+  /** The theme that is shown. @returns {any} */
+  get theme() {
+    return this.data.themes[this.themeName];
   }
 
   draw() {
     const { state } = this.store,
-      theme = this.data.themes[this.themeName];
+      { theme } = this;
     setThemeColors(theme);
     this.runs.prepare(state, this.model);
     if (this.runs.advance(state.t)) this.player.invalidate();
@@ -216,7 +197,6 @@ export class App {
       this.bodyPanel.show(state, model);
       this.viewPanel.show(state);
       this.comparePanel.show(state, model);
-      this.tour.show(state);
       this.dirty = false;
     }
     this.table.draw(state, model);
@@ -241,7 +221,7 @@ export class App {
       before = store.state;
     store.state = { ...before, t: t ?? before.t, theme: theme ?? before.theme, show: show ?? before.show };
     try {
-      return this.pictures.png([this.model], this.themeName, this.data.themes[this.themeName], width, height);
+      return this.pictures.png([this.model], this.themeName, this.theme, width, height);
     } finally {
       store.state = before;
     }

@@ -36,10 +36,10 @@ const someOf = (words, count) => (text) => {
 
 /**
  * The reader of each value of the state.
- * @param {PageData} data @param {readonly string[]} methods @param {number} tourSteps
+ * @param {PageData} data @param {readonly string[]} methods
  * @returns {Record<string, Reader>}
  */
-export function readers({ limits, themes }, methods, tourSteps) {
+export function readers({ limits, themes }, methods) {
   const moments = numbers([limits.moment, limits.moment, limits.moment]);
   return {
     t: number(0, limits.time[1]),
@@ -66,7 +66,6 @@ export function readers({ limits, themes }, methods, tourSteps) {
     step: number(limits.step[0], limits.step[1]),
     tolerance: number(limits.tolerance[0], limits.tolerance[1]),
     lang: oneOf(['en', 'nb']),
-    tour: (text) => (/^\d+$/.test(text) ? number(0, tourSteps)(text) : undefined),
   };
 }
 

@@ -1,6 +1,5 @@
 // The motion that is shown, with the data that several views need, computed once.
 import { add, clamp, column, norm, scale } from '../math/linear.js';
-import { brief, duration } from '../words/words.js';
 
 /** @import { Motion } from '../core/core.js' */
 /** @import { State } from './types' */
@@ -64,22 +63,6 @@ export function spunAbout(model, i, push) {
     side = principalAxis(model, i === 0 ? 1 : 0);
   const omega = add(scale(rate, principalAxis(model, i)), scale(push * rate, side));
   return omega.map((x) => Number(x.toPrecision(6)));
-}
-
-/**
- * The numbers of a motion that the tour's texts contain.
- * @param {MotionModel} model
- * @returns {Record<string, string>}
- */
-export function figuresOf({ facts, omega }) {
-  const [least, middle, greatest] = facts.moments;
-  const rate = norm(omega) * Math.sqrt(((greatest - middle) * (middle - least)) / (least * greatest));
-  return {
-    interval: duration(facts.flips?.interval ?? Infinity),
-    first: duration(facts.flips?.first ?? Infinity),
-    doubling: duration(Math.LN2 / rate),
-    moments: facts.moments.map((moment) => brief(moment)).join(', '),
-  };
 }
 
 /**

@@ -29,10 +29,13 @@ export class Pictures {
     this.runs = runs;
     /** @type {{moments: number[], surface: import('./types').Surface} | null} */
     this.box = null;
+    /** Features that stand out from the others. @type {readonly string[]} */
+    this.stress = [];
     const invalidate = () => player.invalidate();
     const shown = new CorePictures(core);
     this.bodyView = new BodyView(boxes.body, graphics, invalidate, core, shown, data.scene.camera);
-    this.insets = shown.names.insets.map((name) =>
+    const names = shown.names.insets.filter((name) => boxes[name]);
+    this.insets = names.map((name) =>
       name === 'sphere'
         ? new SphereView(boxes[name], graphics, invalidate, shown, (omega) => store.set({ omega }))
         : new InsetView(name, boxes[name], graphics, invalidate, shown),
@@ -41,7 +44,8 @@ export class Pictures {
       const { azimuth, elevation, zoom } = this.bodyView.view;
       store.set({ view: [azimuth, elevation, zoom].map((x) => Number(x.toFixed(4))) });
     };
-    for (const view of [this.bodyView, ...this.insets]) {
+    this.views = [this.bodyView, ...this.insets];
+    for (const view of this.views) {
       view.canvas.addEventListener('keydown', (event) => this.#key(view, event));
     }
   }
@@ -85,6 +89,7 @@ export class Pictures {
       theme,
       frame: state.frame,
       show: state.show.filter((feature) => hasMeaning(feature, state, this.data)),
+      stress: this.stress,
       azimuth,
       elevation,
       distance,

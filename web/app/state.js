@@ -58,7 +58,6 @@ export function initialState({ scene }, languages) {
     step: Math.max(scene.motion.step, 0.01),
     tolerance: Math.max(scene.motion.tolerance, 1e-6),
     lang: languageOf(languages),
-    tour: 0,
   };
 }
 

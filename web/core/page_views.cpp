@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,6 +28,15 @@ Enumeration chosen(double index) {
   return enumerators<Enumeration>.at(static_cast<std::size_t>(index));
 }
 
+std::set<scene::Feature> features_of(double bits) {
+  const auto chosen_bits = static_cast<std::size_t>(bits);
+  std::set<scene::Feature> features;
+  for (std::size_t i = 0; i < enumerators<scene::Feature>.size(); ++i) {
+    if ((chosen_bits >> i & 1) != 0) features.insert(enumerators<scene::Feature>[i]);
+  }
+  return features;
+}
+
 /// The scene that the film would have for these settings.
 scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
   scene::Scene scene;
@@ -41,11 +51,8 @@ scene::Scene scene_of(const Settings& settings, const motion::FreeBody& body) {
   scene.camera.elevation = settings.elevation;
   scene.camera.distance = settings.distance;
   scene.camera.field_of_view = settings.field_of_view;
-  scene.overlay.show.clear();
-  const auto shown = static_cast<std::size_t>(settings.show);
-  for (std::size_t i = 0; i < enumerators<scene::Feature>.size(); ++i) {
-    if ((shown >> i & 1) != 0) scene.overlay.show.insert(enumerators<scene::Feature>[i]);
-  }
+  scene.overlay.show = features_of(settings.show);
+  scene.overlay.stress = features_of(settings.stress);
   scene.overlay.trail_length = settings.trail_length;
   scene.overlay.trail_point = Vector3d(settings.trail_x, settings.trail_y, settings.trail_z);
   return scene;

@@ -14,7 +14,7 @@ struct Settings {
   double width = 1, height = 1;                  ///< Size of the pane in pixels.
   double thinnest = 1;                           ///< Width in pixels of the thinnest line.
   double theme = 0, frame = 0;                   ///< Indices of enumerators.
-  double show = 0;                               ///< A bit for each feature.
+  double show = 0, stress = 0;                   ///< A bit for each feature.
   double azimuth = 0, elevation = 0;             ///< The home of the camera, rad.
   double distance = 1;                           ///< 1 is the one at which everything just fits.
   double field_of_view = 0.5;                    ///< That of the body's camera, rad.
@@ -28,13 +28,14 @@ struct Settings {
 };
 
 /// The settings by their names in JavaScript.
-inline constexpr std::array<std::pair<const char*, double Settings::*>, 18> fields{
+inline constexpr std::array<std::pair<const char*, double Settings::*>, 19> fields{
     {{"width", &Settings::width},
      {"height", &Settings::height},
      {"thinnest", &Settings::thinnest},
      {"theme", &Settings::theme},
      {"frame", &Settings::frame},
      {"show", &Settings::show},
+     {"stress", &Settings::stress},
      {"azimuth", &Settings::azimuth},
      {"elevation", &Settings::elevation},
      {"distance", &Settings::distance},

@@ -68,6 +68,11 @@ export class Pictures {
     this.names = { settings, themes, frames, features, insets };
   }
 
+  /** A bit for each of these features. @param {readonly string[]} features */
+  #bits(features) {
+    return features.reduce((bits, feature) => bits | (1 << this.names.features.indexOf(feature)), 0);
+  }
+
   /**
    * Calls a function of the core with a motion, settings, one or two motions at the same time, each with
    * its trail, and other numbers.
@@ -81,7 +86,8 @@ export class Pictures {
       ...settings,
       theme: this.names.themes.indexOf(settings.theme),
       frame: this.names.frames.indexOf(settings.frame),
-      show: settings.show.reduce((bits, feature) => bits | (1 << this.names.features.indexOf(feature)), 0),
+      show: this.#bits(settings.show),
+      stress: this.#bits(settings.stress),
     };
     const numbers = [...this.names.settings.map((setting) => named[setting]), instants.length];
     const scratch = this.instance.scratch(

@@ -158,12 +158,13 @@ export interface Contents {
 
 /**
  * The properties of a picture, in addition to the motion and the viewpoint, as page_views.h describes
- * them. The features of `show` are by name.
+ * them. Features are by name.
  */
 export interface Settings {
   theme: string;
   frame: string;
   show: readonly string[];
+  stress: readonly string[];
   width: number;
   height: number;
   thinnest: number;

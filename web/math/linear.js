@@ -12,6 +12,12 @@ export const scale = (s, v) => [s * v[0], s * v[1], s * v[2]];
 /** @type {(a: Vec3, b: Vec3) => number} */
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
+/** @type {(a: Vec3, b: Vec3) => number[]} */
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** @type {(m: Mat3, v: Vec3) => number[]} */
+export const times = (m, v) => [0, 3, 6].map((row) => m[row] * v[0] + m[row + 1] * v[1] + m[row + 2] * v[2]);
+
 /** @type {(v: Vec3) => number} */
 export const norm = (v) => Math.hypot(v[0], v[1], v[2]);
 

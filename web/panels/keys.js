@@ -1,13 +1,13 @@
-// Keys that work on the whole page unless the focused element uses them, and the list of all keys.
+// Keys that work while the lab is on the screen unless the focused element uses them, and the list of all keys.
 import { byId } from '../app/dom.js';
 
-/** @typedef {{toggle: () => void, step: (direction: number) => void}} Actions */
+/** @typedef {{toggle: () => void, step: (direction: number) => void, isActive: () => boolean}} Actions */
 
 /** Elements that use these keys. */
 const owners = 'input, select, textarea, button, a, summary, canvas, [role=slider], dialog';
 
 /** @param {Actions} actions */
-export function listenToKeys({ toggle, step }) {
+export function listenToKeys({ toggle, step, isActive }) {
   const dialog = /** @type {HTMLDialogElement} */ (byId('keys'));
   /** @type {Record<string, () => void>} */
   const keys = {
@@ -21,7 +21,7 @@ export function listenToKeys({ toggle, step }) {
     if (event.key === '?' && !target.closest('input, textarea, dialog')) {
       event.preventDefault();
       dialog.showModal();
-    } else if (keys[event.key] && !target.closest(owners)) {
+    } else if (keys[event.key] && isActive() && !target.closest(owners)) {
       event.preventDefault();
       keys[event.key]();
     }

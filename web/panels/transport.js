@@ -5,14 +5,12 @@ import { speedsAbout } from '../app/state.js';
 import { clamp } from '../math/linear.js';
 import { brief, decimal, duration, fillSelect, timeUnit, word } from '../words/words.js';
 import { readNumber } from './number_field.js';
+import { PlayButton } from './play_button.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
 /** @import { Player } from '../app/player.js' */
 /** @import { Store } from '../app/state.js' */
 /** @import { State } from '../app/types' */
-
-const playIcon = 'M4 2 L15 9 L4 16 Z',
-  pauseIcon = 'M3 2 H7 V16 H3 Z M11 2 H15 V16 H11 Z';
 
 /** A speed as 4 × or 1/4 ×, or as the time that passes in a second. @param {number} speed */
 function speedText(speed) {
@@ -26,12 +24,10 @@ export class Transport {
     this.store = store;
     this.player = player;
     this.model = model;
-    this.playButton = byId('play');
+    this.playButton = new PlayButton(byId('play'), player);
     this.time = /** @type {HTMLInputElement} */ (byId('t'));
     this.length = /** @type {HTMLInputElement} */ (byId('length'));
     this.speed = selectOf('speed', (speed) => store.set({ speed: Number(speed) }));
-    this.#makeIcon();
-    onClick('play', () => player.play(!player.playing));
     onClick('step-back', () => this.step(-1));
     onClick('step-on', () => this.step(1));
     onClick('flip-back', () => this.toFlip(-1));
@@ -40,19 +36,6 @@ export class Transport {
     onClick('longer', () => this.#stretch(2));
     this.#readNumber(this.time, 0, (t) => seek(store, t));
     this.#readNumber(this.length, 1e-12, (length) => this.#stretch(length / store.state.length));
-    player.listeners.push(() => this.relabel());
-  }
-
-  #makeIcon() {
-    const space = 'http://www.w3.org/2000/svg';
-    const svg = document.createElementNS(space, 'svg');
-    svg.setAttribute('viewBox', '0 0 18 18');
-    svg.setAttribute('width', '1em');
-    svg.setAttribute('aria-hidden', 'true');
-    this.icon = document.createElementNS(space, 'path');
-    this.icon.setAttribute('fill', 'currentColor');
-    svg.append(this.icon);
-    this.playButton.replaceChildren(svg);
   }
 
   /** @param {HTMLInputElement} input @param {number} low @param {(value: number) => void} set */
@@ -88,9 +71,7 @@ export class Transport {
   }
 
   relabel() {
-    const { playing } = this.player;
-    this.icon?.setAttribute('d', playing ? pauseIcon : playIcon);
-    this.playButton.ariaLabel = this.playButton.title = word(playing ? 'pause' : 'play');
+    this.playButton.relabel();
     this.#offerSpeeds();
   }
 

@@ -30,6 +30,8 @@ export class CanvasView {
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
     this.gl = graphics.gl;
     this.isVisible = false;
+    /** Whether the wheel zooms the focused view; otherwise it scrolls the page unless Ctrl is pressed. */
+    this.wheelZooms = true;
     this.names = document.createElement('div');
     this.names.className = 'names';
     this.names.ariaHidden = 'true';
@@ -76,8 +78,12 @@ export class CanvasView {
     if (width === this.canvas.width && height === this.canvas.height) return;
     this.canvas.width = Math.max(1, width);
     this.canvas.height = Math.max(1, height);
+    this.drawFirst();
     this.changed();
   }
+
+  /** Fills the resized canvas until the view is drawn. */
+  drawFirst() {}
 
   /** The settings for the present size of the canvas. @param {import("../core/types").Settings} settings */
   sized(settings) {

@@ -42,7 +42,8 @@ export function makeTurnable(view) {
   canvas.addEventListener(
     'wheel',
     (event) => {
-      if (!event.ctrlKey && document.activeElement !== canvas && !document.fullscreenElement) return; // the page scrolls
+      const zooms = view.wheelZooms && (document.activeElement === canvas || document.fullscreenElement);
+      if (!event.ctrlKey && !zooms) return; // the page scrolls
       event.preventDefault();
       view.zoom(Math.exp(-0.0015 * event.deltaY * (event.deltaMode === 1 ? 20 : 1)));
     },

@@ -68,8 +68,20 @@ export function duration(seconds) {
 export function brief(value) {
   if (!Number.isFinite(value)) return '∞';
   if (value === 0) return '0';
-  const size = Math.abs(value);
-  const [digits, power] = size < 1e-3 || size >= 1e5 ? value.toExponential(1).split('e') : [plain(value), ''];
+  return isPlain(value) ? written(plain(value), '') : written(...split(value, 1));
+}
+
+/** A number with six significant digits. @param {number} value */
+export const precise = (value) => (isPlain(value) ? written(value.toPrecision(6), '') : written(...split(value, 5)));
+
+/** @param {number} value */
+const isPlain = (value) => Math.abs(value) >= 1e-3 && Math.abs(value) < 1e5;
+
+/** @param {number} value @param {number} decimals @returns {[string, string]} its digits and its power of ten */
+const split = (value, decimals) => /** @type {[string, string]} */ (value.toExponential(decimals).split('e'));
+
+/** @param {string} digits @param {string} power of ten */
+function written(digits, power) {
   const text = power ? `${digits}·10${superscript(Number(power))}` : digits;
   return text.replaceAll('-', '−').replace('.', locale === 'nb' ? ',' : '.');
 }

@@ -26,6 +26,7 @@ struct PageOptions {
   std::string output;
   std::string template_file;
   bool all = false;
+  bool is_lab = false;
 };
 
 void require_not_input(const PageOptions& options, const std::filesystem::path& output) {
@@ -42,7 +43,7 @@ ScenePage page_of(const PageOptions& options, const std::string& empty, const sc
                   std::size_t index) {
   const page::PageScene shown{page::shown_scene(scene), options.scenes.original(index),
                               options.scenes.sources().at(index),
-                              options.scenes.mesh_options().given()};
+                              options.scenes.mesh_options().given(), !options.is_lab};
   page::require_shown(scene);
   std::string poster = poster_or_nothing(shown.shown);
   page::PageDocument page = page::page_html(empty, shown, poster);
@@ -102,6 +103,10 @@ void add_page(CLI::App& app) {
   command
       ->add_flag("--all", options->all,
                  "write the pages of all built-in scenes, and index.html with a picture of each")
+      ->group(heading(OptionGroup::output));
+  command
+      ->add_flag("--lab", options->is_lab,
+                 "leave out the article, which explains why the body turns over")
       ->group(heading(OptionGroup::output));
   command
       ->add_option("--template", options->template_file,

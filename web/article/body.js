@@ -1,0 +1,113 @@
+// The body of the article's figures, and the motions in which they show it.
+import { diagonal } from '../core/core.js';
+import { MotionModel, spunAbout } from '../app/motion_model.js';
+import { add, column, cross, dot, scale } from '../math/linear.js';
+
+/** @import { Core } from '../core/core.js' */
+/** @import { PageData } from '../app/types' */
+
+const usualPush = 0.05; // deviation from the axis, as a fraction of the angular velocity
+const threeMoments = [700, 1000, 1500]; // g cm^2, for a scene whose body has no three different ones
+const leastDifference = 0.01; // of two moments, as a fraction of the greatest
+
+/** The index of an axis, least moment first. @typedef {0 | 1 | 2} Axis */
+
+export class Body {
+  /** @param {Core} core @param {PageData} data */
+  constructor(core, data) {
+    this.core = core;
+    this.trailLength = data.scene.overlay.trail_length;
+    /** @type {number[] | null} */
+    this.moments = null; // of a box that replaces the scene's body
+    this.inertia = data.inertia;
+    const { omega } = data.scene.motion,
+      scene = this.model(omega),
+      [least, middle, greatest] = scene.facts.moments;
+    if (Math.min(middle - least, greatest - middle) < leastDifference * greatest) {
+      this.moments = threeMoments;
+      this.inertia = diagonal(threeMoments);
+    }
+    // The rate about the axis about which the scene's body mainly spins.
+    const along = [0, 1, 2].map((i) => Math.abs(dot(column(scene.facts.axes, i), omega)));
+    this.rate = Math.max(...along) || 1;
+    scene.release();
+    this.own = this.model([this.rate, 0, 0]);
+    this.facts = this.own.facts;
+    const flipping = this.model(this.spun(1, usualPush));
+    /** The time between flips after the usual push, s. */
+    this.interval = flipping.facts.flips?.interval ?? 1;
+    flipping.release();
+  }
+
+  /** @param {number[]} omega rad/s, body axes */
+  model(omega) {
+    return new MotionModel(this.core, this.inertia, omega, this.trailLength);
+  }
+
+  /** The angular velocity about an axis with a push to the side. @param {Axis} axis @param {number} push As a fraction of the rate. */
+  spun(axis, push) {
+    return spunAbout(this.own, axis, push);
+  }
+
+  /** The principal axis, in body axes; the three are right-handed. @param {number} i */
+  axis(i) {
+    const [least, middle] = [0, 1].map((k) => column(this.facts.axes, k));
+    return [least, middle, cross(least, middle)][i];
+  }
+
+  /**
+   * The angular velocity in a direction on the way from the axis of least moment over the middle one to
+   * that of the greatest.
+   * @param {number} angle rad, 0 to pi
+   */
+  between(angle) {
+    const along = [Math.max(Math.cos(angle), 0), Math.sin(angle), Math.max(-Math.cos(angle), 0)];
+    return this.#along(along.map((share) => this.rate * share));
+  }
+
+  /** The angular velocity for which the middle axis leans from L, in the direction in which the lean grows. @param {number} lean rad */
+  leaning(lean) {
+    const { direction } = this.tug,
+      { moments } = this.facts,
+      momentum = moments[1] * this.rate;
+    const shares = [Math.sin(lean) * direction[0], Math.cos(lean), Math.sin(lean) * direction[2]];
+    return this.#along(shares.map((share, i) => (momentum * share) / moments[i]));
+  }
+
+  /** The vector with these components along the principal axes. @param {number[]} components */
+  #along(components) {
+    return components.reduce((sum, value, i) => add(sum, scale(value, this.axis(i))), [0, 0, 0]);
+  }
+
+  /**
+   * The tug-of-war about the middle axis: the direction of the growing lean along the principal axes, and
+   * the sums of m r^2 along the axis of the spin and along this direction (T0' of docs/theory.md).
+   */
+  get tug() {
+    const { moments } = this.facts,
+      [least, middle, greatest] = moments,
+      half = (least + middle + greatest) / 2;
+    // With i the middle axis, j that of the greatest and k that of the least moment.
+    const b = middle / least - 1,
+      sigma = this.stability(1).rate / this.rate,
+      length = Math.hypot(b, sigma);
+    const direction = [sigma / length, 0, -b / length];
+    return {
+      direction,
+      along: half - middle,
+      across: direction[0] ** 2 * (half - least) + direction[2] ** 2 * (half - greatest),
+    };
+  }
+
+  /** For each principal axis the index of the body axis with its colour, as on the momentum sphere. */
+  get bodyAxes() {
+    const sizes = [0, 1, 2].map((i) => column(this.facts.axes, i).map(Math.abs)),
+      areOwn = sizes.every((size) => Math.max(...size) > 1 - 1e-9);
+    return sizes.map((size, i) => (areOwn ? size.indexOf(Math.max(...size)) : i));
+  }
+
+  /** @param {Axis} axis */
+  stability(axis) {
+    return this.core.stability(this.facts.moments, axis, this.rate);
+  }
+}

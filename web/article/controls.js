@@ -1,0 +1,79 @@
+// What the reader can drag in a figure. A value of a control determines the motions of the figure, or its
+// time or the step of its methods.
+import { seek } from '../app/player.js';
+
+/** @import { Axis } from './body.js' */
+/** @import { Figure } from './figure.js' */
+/** @import { ControlName } from './types' */
+/**
+ * @typedef {object} Control
+ * @property {string} [label] The key of its word; without it there is no slider.
+ * @property {boolean} [logarithmic]
+ * @property {(figure: Figure) => number[]} range
+ * @property {(figure: Figure) => number} value
+ * @property {(figure: Figure, value: number) => void} set
+ * @property {(figure: Figure) => number[][]} omegas The angular velocities of the bodies at t = 0.
+ */
+
+const degree = Math.PI / 180;
+
+/** Every body spins about its axis with the same push. @param {Figure} figure @param {number} [push] */
+const spins = ({ axes, body, description }, push = description.push ?? 0) =>
+  axes.map((axis) => body.spun(/** @type {Axis} */ (axis), push));
+
+/** A value of the figure. A change starts the motion again. */
+const own = {
+  value: (/** @type {Figure} */ { value }) => value,
+  set: (/** @type {Figure} */ figure, /** @type {number} */ value) => figure.setValue(value),
+};
+
+/** @type {Record<ControlName, Control>} */
+export const controls = {
+  time: {
+    label: 'time',
+    range: ({ store: { state } }) => [state.from, state.from + state.length],
+    value: ({ store }) => Number(store.state.t.toPrecision(4)),
+    set: ({ store }, t) => seek(store, t),
+    omegas: (figure) => spins(figure),
+  },
+  push: {
+    ...own,
+    label: 'push',
+    logarithmic: true,
+    range: () => [1e-3, 0.3],
+    omegas: (figure) => spins(figure, figure.value),
+  },
+  delay: {
+    ...own,
+    label: 'push',
+    logarithmic: true,
+    range: () => [1e-9, 0.1],
+    omegas: (figure) => spins(figure, figure.value),
+  },
+  axis: {
+    ...own,
+    label: 'axis',
+    range: () => [0, 180],
+    omegas: ({ body, value }) => [body.between(degree * value)],
+  },
+  lean: {
+    ...own,
+    label: 'lean',
+    range: () => [1, 30],
+    omegas: ({ body, value }) => [body.leaning(degree * value)],
+  },
+  start: {
+    range: () => [],
+    value: () => NaN,
+    set: () => {},
+    omegas: ({ store }) => [store.state.omega],
+  },
+  step: {
+    label: 'step',
+    logarithmic: true,
+    range: ({ body }) => [0.05 / body.rate, 1 / body.rate],
+    value: ({ store }) => store.state.step,
+    set: ({ store }, step) => store.set({ step, t: 0, from: 0 }),
+    omegas: (figure) => spins(figure),
+  },
+};

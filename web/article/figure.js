@@ -1,0 +1,207 @@
+// A figure of the article: bodies that play, with one thing to drag. Its state is that of a page, from which
+// the same views draw it as in the lab.
+import { Pictures } from '../app/pictures.js';
+import { element } from '../app/dom.js';
+import { Player } from '../app/player.js';
+import { Runs } from '../app/runs.js';
+import { initialState, Store } from '../app/state.js';
+import { chartColors } from '../app/theme.js';
+import { NumberField } from '../panels/number_field.js';
+import { PlayButton } from '../panels/play_button.js';
+import { css } from '../views/canvas_view.js';
+import { word } from '../words/words.js';
+import { controls } from './controls.js';
+import { LeanChart } from './lean_chart.js';
+import { isOfTime, numberText } from './numbers.js';
+
+/** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { App } from '../app/app.js' */
+/** @import { Body } from './body.js' */
+/** @import { State } from '../app/types' */
+/** @import { FigureDescription } from './types' */
+
+const axisNames = ['least', 'middle', 'greatest'];
+
+export class Figure {
+  /**
+   * @param {FigureDescription} description @param {App} app @param {Body} body
+   * @param {HTMLElement} section Contains the numbers of the texts.
+   */
+  constructor(description, app, body, section) {
+    this.description = description;
+    this.app = app;
+    this.body = body;
+    this.section = section;
+    this.axes = description.spin.map((name) => axisNames.indexOf(name));
+    this.control = controls[description.control];
+    /** The value of the control, if it determines the motions. */
+    this.value = description.value ?? description.push ?? 0;
+    this.store = new Store(this.#initialState());
+    /** @type {MotionModel[]} */
+    this.models = [];
+    this.player = new Player(this.store, () => this.draw());
+    this.runs = new Runs();
+    this.element = element('figure');
+    this.names = element('div', 'figure-names');
+    this.readout = element('p', 'readout');
+    this.caption = element('figcaption');
+    this.pictures = this.#makePictures();
+    this.chart = description.chart ? this.#makeChart() : null;
+    this.button = this.#makeButton();
+    this.field = this.#makeField();
+    this.element.append(this.readout, this.caption);
+    this.store.subscribe((state, before) => this.#changed(state, before));
+    this.#restart();
+  }
+
+  /** @returns {State} */
+  #initialState() {
+    const initial = initialState(this.app.data, navigator.languages),
+      { flips, flipSeconds, show, frame = 'space', compare = 'off', methods = initial.methods } = this.description,
+      { interval, moments } = this.body;
+    return {
+      ...initial,
+      show,
+      frame,
+      compare,
+      methods,
+      moments,
+      omega: this.body.spun(1, this.description.push ?? 0),
+      step: this.value,
+      length: flips * interval,
+      speed: interval / flipSeconds,
+    };
+  }
+
+  #makePictures() {
+    const { app, store, player, runs } = this,
+      views = element('div', 'figure-views');
+    /** @type {Record<string, HTMLElement>} */
+    const boxes = { body: viewBox('bodyKeys') };
+    if (this.description.sphere) boxes.sphere = viewBox('sphereKeys');
+    boxes.body.append(this.names);
+    views.append(...Object.values(boxes).reverse());
+    this.element.append(views);
+    const pictures = new Pictures(store, app.data, player, runs, app.core, app.graphics, boxes);
+    for (const view of pictures.views) view.wheelZooms = false;
+    return pictures;
+  }
+
+  #makeChart() {
+    this.element.classList.add('charted');
+    const box = element('div', 'figure-chart'),
+      canvas = element('canvas');
+    canvas.setAttribute('role', 'img');
+    canvas.dataset.wordLabel = 'leanChartSays';
+    box.append(canvas);
+    this.element.append(box);
+    return new LeanChart(box, () => this.player.invalidate());
+  }
+
+  #makeButton() {
+    const button = element('button', 'primary round');
+    button.type = 'button';
+    this.element.append(button);
+    this.player.listeners.push(() => this.element.classList.toggle('plays', this.player.playing));
+    return new PlayButton(button, this.player);
+  }
+
+  /** The slider of the control. */
+  #makeField() {
+    const { control, element: figure } = this,
+      { label, logarithmic } = control,
+      range = control.range(this);
+    if (label === undefined) return null;
+    return new NumberField(figure, {
+      label: () => word(label),
+      range,
+      logarithmic,
+      limits: range,
+      set: (value) => control.set(this, value),
+    });
+  }
+
+  /** @param {State} state @param {State} before */
+  #changed(state, before) {
+    if (state.omega !== before.omega) this.#restart();
+    if (this.description.loops && state.t > state.length) this.store.set({ t: 0, from: 0 });
+    this.player.invalidate();
+  }
+
+  /** Sets the value of the control. @param {number} value */
+  setValue(value) {
+    this.value = value;
+    this.#restart();
+  }
+
+  /** Makes the motions for the value of the control, and begins with their start. */
+  #restart() {
+    const last = this.models;
+    this.models = this.control.omegas(this).map((omega) => this.body.model(omega));
+    this.runs.stop();
+    for (const model of last) model.release();
+    const { first = this.body.interval } = this.models[0].facts.flips ?? {},
+      length = this.description.flips === 0 ? 1.15 * first : this.store.state.length;
+    this.isNew = true;
+    this.store.set({ t: 0, from: 0, length });
+  }
+
+  /** Stresses features of the picture. @param {string[]} features */
+  stress(features) {
+    this.pictures.stress = features;
+    this.player.invalidate();
+  }
+
+  /** Updates what depends on the language. */
+  relabel() {
+    this.button.relabel();
+    this.field?.relabel();
+    const { compare, methods } = this.store.state,
+      names = compare === 'off' ? this.#axisNames() : methods;
+    this.names.replaceChildren(...names.map((name) => element('span', '', name)));
+    this.isNew = true;
+    this.player.invalidate();
+  }
+
+  /** Names of bodies about different axes. */
+  #axisNames() {
+    if (this.axes.length === 1) return [];
+    return this.axes.map((axis) => word(['aboutLeast', 'aboutMiddle', 'aboutGreatest'][axis]));
+  }
+
+  draw() {
+    const { store, models, runs, pictures, app } = this,
+      { state } = store;
+    runs.prepare(state, models[0]);
+    if (runs.advance(state.t)) this.player.invalidate();
+    const theme = app.theme;
+    pictures.draw(models, app.themeName, theme);
+    this.chart?.draw(this, chartColors(theme, app.themeName), css(theme.overlay.trail));
+    if (this.field) {
+      this.field.setRange(this.control.range(this));
+      this.field.show(this.control.value(this));
+    }
+    this.#writeNumbers();
+  }
+
+  #writeNumbers() {
+    for (const place of /** @type {NodeListOf<HTMLElement>} */ (this.section.querySelectorAll('[data-number]'))) {
+      const name = /** @type {string} */ (place.dataset.number);
+      if (!this.isNew && !isOfTime(name)) continue;
+      const text = numberText(name, this);
+      if (place.textContent !== text) place.textContent = text;
+    }
+    this.isNew = false;
+  }
+}
+
+/** A box for a view. @param {string} label The key of the word that describes it. */
+function viewBox(label) {
+  const box = element('div', 'view'),
+    canvas = element('canvas');
+  canvas.tabIndex = 0;
+  canvas.setAttribute('role', 'application');
+  canvas.dataset.wordLabel = label;
+  box.append(canvas);
+  return box;
+}
