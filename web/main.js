@@ -43,6 +43,7 @@ async function start() {
   setLanguage(languageOf(navigator.languages));
   const graphics = Graphics.create();
   if (!graphics) return;
+  byId('lacks').hidden = true;
   const data = await readPageData();
   setTimeUnits(data.time_units);
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
@@ -55,5 +56,5 @@ twrench.ready = start();
 twrench.ready.catch((error) => {
   showNote('note', word('cannot', error.message));
   byId('live').hidden = true;
-  byId('instead').hidden = false;
+  byId('instead').hidden = byId('lacks').hidden = false;
 });

@@ -122,11 +122,13 @@ const tests = {
     near(rate, exactRate, '|omega|', 1e-5);
 
     const lean = await drag(page, 'frame', 0.5);
-    const [over, back] = await readout(page, 'frame');
+    const [back, over] = await readout(page, 'frame');
     // The sums of m r^2 of docs/theory.md.
     const torque = Math.sin((Math.PI / 180) * lean) * Math.cos((Math.PI / 180) * lean);
     near(over, 659.5 * torque, 'pulls over');
     near(back, 501.7 * torque, 'pulls back');
+    const bars = await page.$$eval('#part-frame .tug span', (all) => all.map((bar) => bar.getBoundingClientRect().width));
+    near(bars[1] / bars[0], over / back, 'the bars', 0.02);
 
     await drag(page, 'stable', 0.9);
     const stable = await figure(page, 'stable'),
@@ -355,10 +357,9 @@ const tests = {
   },
 
   async 'the lab alone has no article, and a link to a state shows the lab'() {
-    const lab = await open(writePage('lab.html', '--lab'), wide);
+    const lab = await open(writePage('lab.html', '--lab'), { ...still, ...wide });
     assert.equal(await lab.page.$eval('#article', (article) => article.hidden && article.childElementCount === 0), true);
     assert.deepEqual(await figures(lab.page), []);
-    await lab.page.waitForFunction(() => Number(document.getElementById('timeline').ariaValueNow) > 0);
     lab.quiet();
     const link = await open(flip, { ...still, ...wide, hash: '#t=20' });
     await settle(link.page);
@@ -366,6 +367,10 @@ const tests = {
     assert.ok(top >= 0 && top < 400, `${top}`);
     assert.equal(await link.page.$eval('#timeline', (slider) => Number(slider.ariaValueNow)), 20);
     link.quiet();
+    const themed = await open(flip, { ...still, ...wide, hash: '#theme=paper' });
+    await settle(themed.page);
+    assert.equal(await themed.page.evaluate(() => scrollY), 0, 'a theme is no state of the lab');
+    themed.quiet();
     const { page, quiet } = await open(flip, { ...still, ...wide });
     await page.click('#to-lab');
     await settle(page);
@@ -382,6 +387,7 @@ const tests = {
 
 await run(tests, [
   'one figure plays at a time, and memory stays flat while the article is scrolled',
+  'a figure that the reader pauses stays paused, and one outside the window is not drawn',
   'nothing plays by itself for those who want less motion, and a button plays',
   'it is accessible: axe reports no violations',
 ]);

@@ -65,6 +65,7 @@ const tests = {
 
   async 'keys work without a focus, and a question mark lists them'() {
     const { page, quiet } = await open(flip, still);
+    await settle(page);
     await page.keyboard.press('ArrowRight');
     await settle(page);
     assert.ok(Math.abs((await time(page)) - 4 / 60) < 1e-6, 'a step on');

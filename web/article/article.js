@@ -1,6 +1,7 @@
 // The article: sections of text, each with a figure. The figures play one at a time, while they are on the
 // screen.
 import { byId, element } from '../app/dom.js';
+import { readLink } from '../app/link.js';
 import { Turns } from '../app/turns.js';
 import { css } from '../views/canvas_view.js';
 import { setLanguage } from '../words/words.js';
@@ -59,6 +60,10 @@ function wrapped(nodes) {
   return made;
 }
 
+/** Whether the address is a link to a state of the lab, not only to a theme or a language. @param {App} app */
+const linksToLab = ({ known }) =>
+  Object.keys(readLink(location.hash, known).values).some((key) => !['theme', 'lang'].includes(key));
+
 export class Article {
   /** @param {App} app */
   constructor(app) {
@@ -78,7 +83,7 @@ export class Article {
     const turns = new Turns(app.isStill);
     for (const { figure } of this.parts) turns.add(figure.element, figure.player);
     turns.add(byId('stage'), app.player);
-    if (location.hash) byId('lab').scrollIntoView(); // a link to a state of the lab
+    if (linksToLab(app)) byId('lab').scrollIntoView();
   }
 
   figures() {

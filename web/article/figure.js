@@ -12,7 +12,7 @@ import { css } from '../views/canvas_view.js';
 import { word } from '../words/words.js';
 import { controls } from './controls.js';
 import { LeanChart } from './lean_chart.js';
-import { isOfTime, numberText } from './numbers.js';
+import { isOfTime, numberText, pulls } from './numbers.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
 /** @import { App } from '../app/app.js' */
@@ -47,6 +47,7 @@ export class Figure {
     this.caption = element('figcaption');
     this.pictures = this.#makePictures();
     this.chart = description.chart ? this.#makeChart() : null;
+    this.bars = description.bars ? this.#makeBars() : [];
     this.button = this.#makeButton();
     this.field = this.#makeField();
     this.element.append(this.readout, this.caption);
@@ -96,6 +97,23 @@ export class Figure {
     box.append(canvas);
     this.element.append(box);
     return new LeanChart(box, () => this.player.invalidate());
+  }
+
+  /** Two bars from the middle: what pulls the body back, and what pulls it over. */
+  #makeBars() {
+    const box = element('div', 'tug'),
+      bars = [element('span'), element('span')];
+    box.ariaHidden = 'true';
+    box.append(...bars);
+    this.element.append(box);
+    return bars;
+  }
+
+  #drawBars() {
+    const { back, over } = pulls(this, this.value),
+      [, most] = this.control.range(this),
+      longest = Math.max(...Object.values(pulls(this, most)));
+    [back, over].forEach((pull, i) => (this.bars[i].style.width = `${((100 * pull) / longest).toFixed(2)}%`));
   }
 
   #makeButton() {
@@ -177,6 +195,7 @@ export class Figure {
     const theme = app.theme;
     pictures.draw(models, app.themeName, theme);
     this.chart?.draw(this, chartColors(theme, app.themeName), css(theme.overlay.trail));
+    if (this.bars.length) this.#drawBars();
     if (this.field) {
       this.field.setRange(this.control.range(this));
       this.field.show(this.control.value(this));

@@ -46,10 +46,10 @@ function fate({ facts: { flips } }) {
   return word('turnsOver', duration(flips.interval));
 }
 
-/** The torque in dyn cm of the centrifugal force on masses with this sum of m r^2, which lean. @param {Figure} figure @param {number} sum g cm^2 */
-function pull({ body, value }, sum) {
-  const lean = (Math.PI / 180) * value;
-  return brief(body.rate ** 2 * Math.sin(lean) * Math.cos(lean) * sum);
+/** The torques in dyn cm of the centrifugal force that pull a leaning body back and over. @param {Figure} figure @param {number} lean degrees */
+export function pulls({ body: { rate, tug } }, lean) {
+  const torque = rate ** 2 * Math.sin((Math.PI / 180) * lean) * Math.cos((Math.PI / 180) * lean);
+  return { back: torque * tug.across, over: torque * tug.along };
 }
 
 /** The time of one turn of a stable wobble, or of doubling. @param {Figure} figure @param {Axis} axis */
@@ -71,8 +71,8 @@ const ofMotion = {
   lean0: (figure) => degrees(largestLean(figure, 0)),
   lean1: (figure) => degrees(largestLean(figure, 1)),
   lean2: (figure) => degrees(largestLean(figure, 2)),
-  over: (figure) => pull(figure, figure.body.tug.along),
-  back: (figure) => pull(figure, figure.body.tug.across),
+  over: (figure) => brief(pulls(figure, figure.value).over),
+  back: (figure) => brief(pulls(figure, figure.value).back),
   period0: (figure) => timeScale(figure, 0),
   doubling: (figure) => timeScale(figure, 1),
   period2: (figure) => timeScale(figure, 2),

@@ -27,6 +27,7 @@ export interface FigureDescription {
   control: ControlName; // What the reader drags.
   loops?: boolean; // Whether it starts again at the end of the timeline.
   sphere?: boolean; // Whether the momentum sphere is beside the body.
+  bars?: boolean; // Whether bars of the tug-of-war are below the body.
   chart?: boolean; // Whether a chart of the lean is below the body.
 }
 
