@@ -54,6 +54,11 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
     assert {key: getattr(Scene(**other), key) for key in other} == other
 
 
+def test_a_page_begins_with_the_last_of_the_compared_wheels(template, tmp_path):
+    Scene("dual-spin").page(tmp_path / "p.html", template=template)
+    assert '"wheel":[40000000.0,0.0,0.0]' in (tmp_path / "p.html").read_text()
+
+
 def test_a_scene_with_a_wheel_and_energy_loss(program, tmp_path):
     scene = Scene("t-handle", wheel=[100, 0, 0], duration=9)
     assert Scene("t-handle").method == "exact" and scene.method == "taylor"
