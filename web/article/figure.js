@@ -68,7 +68,7 @@ export class Figure {
       methods,
       moments,
       omega: this.body.spun(1, this.description.push ?? 0),
-      step: this.value,
+      step: Number((this.value / this.body.rate).toPrecision(2)), // the value is an angle in rad
       length: flips * interval,
       speed: interval / flipSeconds,
     };

@@ -17,7 +17,7 @@ export interface SectionText {
 export interface FigureDescription {
   spin: AxisName[]; // The axes about which bodies spin side by side.
   push?: number; // Deviation from the axis, as a fraction of the angular velocity.
-  value?: number; // The control's at the start; default: the push.
+  value?: number; // The control's at the start, for a step the rotation in rad; default: the push.
   show: string[]; // As in the page's state, and so are the next three.
   frame?: FrameName;
   compare?: Comparison;
