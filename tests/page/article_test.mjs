@@ -1,5 +1,5 @@
-// Tests of a page's article: its figures react to what is dragged with the numbers of the core, one plays at a
-// time, and the text fits and is accessible.
+// Tests of a page's article: its figures react to their controls with the numbers of the core, one figure plays at
+// a time, and the text fits and is accessible.
 import assert from 'node:assert/strict';
 import { readFileSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -264,6 +264,26 @@ const tests = {
     await page.focus('#part-flip button.round');
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => globalThis.twrench.figures()[0].t > 0);
+    quiet();
+  },
+
+  async 'the keyboard reaches the picture, the button, the slider and the words, in this order'() {
+    const { page, quiet } = await open(flip, { ...still, ...wide });
+    await page.focus('#part-constant canvas');
+    const before = await page.$eval('#part-constant canvas', (canvas) => canvas.toDataURL());
+    await page.keyboard.press('ArrowLeft');
+    await settle(page);
+    await settle(page);
+    assert.notEqual(await page.$eval('#part-constant canvas', (canvas) => canvas.toDataURL()), before, 'an arrow turns the picture');
+    const visited = [];
+    for (let i = 0; i < 6; ++i) {
+      await page.keyboard.press('Tab');
+      visited.push(await page.evaluate(() => document.activeElement.type ?? document.activeElement.tagName));
+      if (visited.at(-1) === 'range') await page.keyboard.press('ArrowRight');
+    }
+    assert.deepEqual(visited, ['button', 'range', 'text', 'button', 'button', 'button']);
+    assert.ok((await figure(page, 'constant')).t > 0, 'an arrow moves the slider');
+    assert.equal(await page.evaluate(() => document.activeElement.closest('section').id), 'part-constant');
     quiet();
   },
 

@@ -7,7 +7,7 @@ import { add, column, cross, dot, scale } from '../math/linear.js';
 /** @import { PageData } from '../app/types' */
 
 const usualPush = 0.05; // deviation from the axis, as a fraction of the angular velocity
-const threeMoments = [700, 1000, 1500]; // g cm^2, for a scene whose body has no three different ones
+const threeMoments = [700, 1000, 1500]; // g cm^2, used if two moments of the scene's body are equal
 const leastDifference = 0.01; // of two moments, as a fraction of the greatest
 
 /** The index of an axis, least moment first. @typedef {0 | 1 | 2} Axis */

@@ -1,5 +1,5 @@
-// What the reader can drag in a figure. A value of a control determines the motions of the figure, or its
-// time or the step of its methods.
+// The controls of figures. The value of a control determines the motions of its figure, the time, or the step of
+// the methods.
 import { seek } from '../app/player.js';
 
 /** @import { Axis } from './body.js' */

@@ -1,5 +1,5 @@
-// A figure of the article: bodies that play, with one thing to drag. Its state is that of a page, from which
-// the same views draw it as in the lab.
+// A figure of the article: bodies that play, and one control. Its state has the form of the lab's, so the same
+// views draw it.
 import { Pictures } from '../app/pictures.js';
 import { element } from '../app/dom.js';
 import { Player } from '../app/player.js';
