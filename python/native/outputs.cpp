@@ -87,8 +87,8 @@ struct ScenePage {
 
 /// Throws Stopped between the steps.
 ScenePage page_of(const Scene& scene, const Scene& original, const std::string& source,
-                  const Texts& source_options, const std::string& template_file,
-                  bool has_article, const std::atomic<bool>& stop) {
+                  const Texts& source_options, const std::string& template_file, bool has_article,
+                  const std::atomic<bool>& stop) {
   const std::string empty = page::page_template(template_file);
   page::require_shown(scene);
   const page::PageScene shown{scene, original, source, source_options, has_article};
@@ -109,8 +109,8 @@ ScenePage make_page(const Scene& scene, const Scene& original, const std::string
                     const Texts& source_options, const std::string& template_file,
                     bool has_article) {
   return run_interruptibly([&](const std::atomic<bool>& stop) {
-    return page_of(page::shown_scene(scene), original, source, source_options, template_file, has_article,
-                   stop);
+    return page_of(page::shown_scene(scene), original, source, source_options, template_file,
+                   has_article, stop);
   });
 }
 

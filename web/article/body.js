@@ -41,7 +41,7 @@ export class Body {
 
   /** @param {number[]} omega rad/s, body axes */
   model(omega) {
-    return new MotionModel(this.core, this.inertia, omega, this.trailLength);
+    return new MotionModel(this.core.motion(this.inertia, omega), this.trailLength);
   }
 
   /** The angular velocity about an axis with a push to the side. @param {Axis} axis @param {number} push As a fraction of the rate. */

@@ -66,6 +66,7 @@ std::vector<timeline::Solution> solution_of(const Motion& motion, std::span<cons
            .initial_energy = motion.initial_energy,
            .whole = motion.at(times),
            .flips = std::nullopt,
+           .reference_flips = {},
            .flip_times = {}}};
 }
 
