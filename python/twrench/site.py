@@ -27,7 +27,7 @@ def pages(folder: StrPath, *, template: StrPath | None = None, **values: Any) ->
     index, texts, entries = place / "index.html", {}, []
     for name in scenes():
         scene = Scene(name, **values)
-        page = scene._page(source)
+        page = scene._page(source, has_article=True)
         file = place / f"{name}.html"
         texts[file] = page.html
         native = scene._native

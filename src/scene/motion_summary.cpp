@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/time_unit.h"
 #include "scene/prediction.h"
 
 namespace twrench::scene {
@@ -28,9 +29,11 @@ std::string flips(const motion::FreeBody& body) {
 std::string interior(const motion::Interior& interior) {
   std::string text;
   const double wheel = interior.wheel.stableNorm(), tau = interior.energy_loss_time;
-  if (wheel > 0) text = fmt::format("with a wheel of {:.3g} g cm^2/s", wheel);
+  if (wheel > 0) text = fmt::format("with a wheel of {:.4g} g cm^2/s", wheel);
   if (std::isfinite(tau)) {
-    text += fmt::format("{}loses energy within {:.3g} s", wheel > 0 ? "; " : "", tau);
+    const TimeUnit unit = time_unit(tau);
+    text += fmt::format("{}loses energy within {:.3g} {}", wheel > 0 ? "; " : "", tau / unit.length,
+                        unit.symbol);
   }
   return text;
 }

@@ -270,6 +270,18 @@ TEST(Interior, IsRefusedInOneLineByCheck) {
   }
 }
 
+TEST(Interior, ThePhaseNeedsTheSphere) {
+  const ScratchFolder folder;
+  const std::string film = "render --size 64x48 --frames 0 --no-video --frames-dir f ";
+  for (const char* options :
+       {"--bare --show phase", "--show phase --hide sphere", "--show phase --view poinsot"}) {
+    const Outcome run = run_twrench(folder, film + options);
+    EXPECT_EQ(run.code, 2) << options;
+    EXPECT_THAT(run.err, HasSubstr("show: phase is an area on the momentum sphere, which is not"));
+    EXPECT_FALSE(exists(folder / "f")) << options;
+  }
+}
+
 TEST(Interior, IsShownInPages) {
   const ScratchFolder folder;
   std::ofstream(folder / "t.html")

@@ -40,6 +40,7 @@ std::vector<FilmGolden> film_goldens() {
        1.5707963},
       {"film-insets", {momentum, omega, trail, sphere, poinsot}, scene::View::wrench, 600},
       {"film-momentum", {trail}, scene::View::momentum, 280},
+      {"film-phase", {trail, phase}, scene::View::momentum, 280, {0.2, 0.3, -1}},
       {"film-momentum-stable", {trail}, scene::View::momentum, 280, {0.2, 0.1, -1}},
       {"film-poinsot", {trail}, scene::View::poinsot, 240},
       {"film-quad", {momentum, omega, trail}, scene::View::quad, 590},

@@ -13,7 +13,7 @@ from twrench import Scene
 
 def test_a_scene_shows_its_page_in_a_sandboxed_frame(small, monkeypatch):
     page = "<html><p>\"Turn\" & <b>scrub</b></p></html>"
-    monkeypatch.setattr(Scene, "_page", lambda scene, template: types.SimpleNamespace(html=page))
+    monkeypatch.setattr(Scene, "_page", lambda scene, template, has_article: types.SimpleNamespace(html=page))
     shown = small._repr_html_()
     assert re.match(r'<iframe sandbox="allow-scripts" ', shown)
     assert html.unescape(re.search('srcdoc="([^"]*)"', shown)[1]) == page

@@ -168,6 +168,8 @@ export class App {
       showNote('interior-note', error.message);
       return false;
     }
+  }
+
   /** The theme that is shown. @returns {any} */
   get theme() {
     return this.data.themes[this.themeName];

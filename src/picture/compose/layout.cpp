@@ -29,6 +29,15 @@ Parts parts_of(const scene::Overlay& overlay) {
   return parts;
 }
 
+void require_sphere_of_phase(const scene::Overlay& overlay) {
+  const bool has_sphere =
+      overlay.view == scene::View::momentum || overlay.view == scene::View::quad ||
+      (overlay.view == scene::View::wrench && overlay.shows(scene::Feature::sphere));
+  if (has_sphere || !overlay.shows(scene::Feature::phase)) return;
+  throw InvalidArgument("show", "phase is an area on the momentum sphere, which is not shown",
+                        "show sphere too, or use the view 'momentum' or 'quad'");
+}
+
 }  // namespace
 
 double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows) {
@@ -61,6 +70,7 @@ Layout compute_layout(const scene::Scene& scene) {
         "the view '" + std::string(enumerator_name(overlay.view)) + "' shows only one motion",
         "use the view 'wrench' to compare motions");
   }
+  require_sphere_of_phase(overlay);
   Parts parts = parts_of(scene.overlay);
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     for (const TextPlacement placement : {TextPlacement::with_insets, TextPlacement::with_body}) {

@@ -96,8 +96,8 @@ double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows);
 /// Returns whether the nine components are in one row, instead of three rows of three.
 bool is_strip(const image::Area& components);
 
-/// Computes the layout. Throws InvalidArgument for a comparison in a view that shows only one
-/// motion.
+/// Computes the layout. Throws InvalidArgument for a phase without its sphere, and for a comparison
+/// in a view that shows only one motion.
 Layout compute_layout(const scene::Scene& scene);
 
 }  // namespace twrench::picture
