@@ -25,6 +25,7 @@
 #include "report/command_lines.h"
 #include "report/file.h"
 #include "scene/fields.h"
+#include "scene/motion_summary.h"
 #include "system/file.h"
 #include "system/output.h"
 #include "system/program.h"
@@ -83,6 +84,7 @@ struct ScenePage {
   page::PageDocument page;
   std::string poster;
   std::string policy;
+  std::string summary;  ///< Of the motion shown, for an index of pages.
 };
 
 /// Throws Stopped between the steps.
@@ -102,7 +104,8 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
   if (stop) throw Stopped{};
   page::PageDocument page = page::page_html(empty, shown, poster);
   page.notes.insert(page.notes.end(), notes.begin(), notes.end());
-  return {std::move(page), std::move(poster), page::content_policy(empty)};
+  return {std::move(page), std::move(poster), page::content_policy(empty),
+          scene::motion_summary(scene)};
 }
 
 ScenePage make_page(const Scene& scene, const Scene& original, const std::string& source,
@@ -260,7 +263,8 @@ void add_outputs(py::module_& module) {
   py::class_<ScenePage>(module, "Page")
       .def_property_readonly("html", [](const ScenePage& page) { return page.page.html; })
       .def_property_readonly("notes", [](const ScenePage& page) { return page.page.notes; })
-      .def_readonly("poster", &ScenePage::poster);
+      .def_readonly("poster", &ScenePage::poster)
+      .def_readonly("summary", &ScenePage::summary);
   module.def("page", &make_page);
   module.def("site_html", &site_html);
   module.def("report", &write_report);

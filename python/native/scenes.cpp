@@ -18,7 +18,6 @@
 #include "scene/limits.h"
 #include "scene/materials.h"
 #include "scene/mesh_scene.h"
-#include "scene/motion_summary.h"
 #include "scene/scene_json.h"
 #include "scene/scene_schema.h"
 #include "scene/scene_values.h"
@@ -123,7 +122,6 @@ void add_scenes(py::module_& module) {
              on_scene([&] { scene::set_value(scene, key, value); });
            })
       .def_property_readonly("shown_title", &Scene::shown_title)
-      .def_property_readonly("summary", [](const Scene& s) { return scene::motion_summary(s); })
       .def("json", [](const Scene& scene) { return scene::scene_json(scene).dump(-1, ' ', true); })
       .def_property("body", &body_of,
                     [](Scene& scene, const Body& body) {

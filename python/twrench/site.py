@@ -31,7 +31,7 @@ def pages(folder: StrPath, *, template: StrPath | None = None, **values: Any) ->
         file = place / f"{name}.html"
         texts[file] = page.html
         native = scene._native
-        entries.append((file.name, native.shown_title, native.summary, page.poster))
+        entries.append((file.name, native.shown_title, page.summary, page.poster))
     texts[index] = _native.site_html(entries)
     _native.make_folder(place)
     for file, text in texts.items():

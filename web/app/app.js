@@ -18,7 +18,7 @@ import { MotionModel, samplesShown } from './motion_model.js';
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
-import { initialState, Store } from './state.js';
+import { initialState, replaced, Store } from './state.js';
 import { TakeAway } from '../panels/take_away.js';
 import { chartColors, lightTheme, setThemeColors } from './theme.js';
 

@@ -34,15 +34,15 @@ export function leans(body, axis, { facts }, { t, omega }) {
 /** The largest lean of each body in two intervals between flips. @param {Figure} figure @param {number} index of the body */
 function largestLean({ body, axes, models }, index) {
   const model = models[index],
-    end = 2 * Math.max(model.flips?.interval ?? 0, body.interval);
+    end = 2 * Math.max(model.facts.flips?.interval ?? 0, body.interval);
   if (!Number.isFinite(end)) return Math.PI;
   return Math.max(...leans(body, axes[index], model, model.motion.samples(evenly(0, end, samplesOfLean))));
 }
 
 /** What happens to the body. @param {MotionModel} model */
-function fate({ facts: { flips } }) {
+function fate({ facts: { flips, turnsOver } }) {
   if (!flips) return word('spinsSteadily');
-  if (!flips.turnsOver) return word('wobbles', degrees(flips.swing));
+  if (!turnsOver) return word('wobbles', degrees(flips.swing));
   return word('turnsOver', duration(flips.interval));
 }
 
