@@ -11,7 +11,7 @@ import { ViewPanel } from '../panels/view_panel.js';
 import { setLanguage } from '../words/words.js';
 import { CoreError, diagonal } from '../core/core.js';
 import { firstOf } from '../core/motion.js';
-import { byId, showNote } from './dom.js';
+import { byId, isOnScreen, showNote } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
 import { MotionModel, samplesShown } from './motion_model.js';
@@ -65,7 +65,7 @@ export class App {
     listenToKeys({
       toggle: () => player.play(!player.playing),
       step: (direction) => this.transport.step(direction),
-      isActive: () => this.pictures.bodyView.isVisible,
+      isActive: () => isOnScreen(this.pictures.bodyView.canvas),
     });
     this.components = new Components(byId('components'), store, invalidate);
     this.startPanel = new StartPanel(store, data, () => this.model);

@@ -23,6 +23,12 @@ export function element(tag, className = '', text = '') {
   return made;
 }
 
+/** Whether a part of an element is on the screen now; observers report this later. @param {Element} shown */
+export function isOnScreen(shown) {
+  const { top, bottom } = shown.getBoundingClientRect();
+  return top < innerHeight && bottom > 0;
+}
+
 /** Shows a note with this text, or hides it if the text is empty. @param {string} id @param {string} text */
 export function showNote(id, text) {
   const note = byId(id);
