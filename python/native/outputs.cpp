@@ -84,7 +84,7 @@ struct ScenePage {
   page::PageDocument page;
   std::string poster;
   std::string policy;
-  std::string summary;  ///< Of the motion shown, for an index of pages.
+  std::string summary;  ///< Summary of the motion shown, for an index of pages.
 };
 
 /// Throws Stopped between the steps.

@@ -8,7 +8,6 @@
 #include <iterator>
 
 #include "scene/limits.h"
-#include "study/reference.h"
 
 namespace twrench::timeline {
 namespace {
@@ -45,21 +44,25 @@ std::optional<motion::ExactMotion::Flips> flips_of(const motion::FreeBody& body)
   return flips && flips->turns_over() ? flips : std::nullopt;
 }
 
-/// Empty if the body is rigid. If it loses energy, it does not turn over again and again.
-std::vector<double> reference_flips_of(const motion::FreeBody& body, double duration) {
-  if (body.is_rigid() || body.energy_loss() > 0) return {};
-  return study::reference_flip_times(body, duration);
-}
-
-std::vector<double> seen_flips(const Solution& solution, double duration) {
-  if (!solution.turns_over()) return {};
-  if (solution.method->exact()) {
-    return motion::ExactMotion(solution.body).flip_times(duration);
-  }
+/// Returns the times in s of the flips in the method's own solution.
+std::vector<double> flips_of_method(const Solution& solution, double end) {
+  if (solution.method->exact()) return motion::ExactMotion(solution.body).flip_times(end);
   study::FlipSearch search(solution.body, *solution.method);
-  motion::visit_steps(solution.body, *solution.method, solution.control, duration,
+  motion::visit_steps(solution.body, *solution.method, solution.control, end,
                       [&](const motion::AcceptedStep& step) { search.visit(step); });
   return search.times();
+}
+
+void add_flips(Solution& solution, double duration) {
+  const motion::FreeBody& body = solution.body;
+  solution.flips = flips_of(body);
+  if (solution.flips) solution.flip_times = flips_of_method(solution, duration);
+  // A body that loses energy does not turn over again and again, and a symmetric one has no
+  // intermediate axis.
+  if (body.energy_loss() > 0 || motion::ExactMotion::covers(body)) return;
+  solution.wheel_flips = flips_of_method(solution, 2 * duration);
+  std::ranges::copy_if(solution.wheel_flips, std::back_inserter(solution.flip_times),
+                       [&](double t) { return t <= duration; });
 }
 
 /// Writes numbers from 100 to a million as whole numbers.
@@ -102,9 +105,7 @@ Solution solution_of(const scene::Scene& scene, const motion::StepControl& contr
   }
   solution.whole =
       motion::integrate(solution.body, *solution.method, solution.control, times).samples;
-  solution.flips = flips_of(solution.body);
-  solution.reference_flips = reference_flips_of(solution.body, 2 * scene.motion.duration);
-  solution.flip_times = seen_flips(solution, scene.motion.duration);
+  add_flips(solution, scene.motion.duration);
   return solution;
 }
 
@@ -134,8 +135,8 @@ std::vector<Solution> solutions_of(const scene::Scene& scene, const std::atomic<
 
 std::optional<double> next_flip(const Solution& solution, double t) {
   if (!solution.flips) {
-    const auto next = std::ranges::upper_bound(solution.reference_flips, t);
-    return next == solution.reference_flips.end() ? std::nullopt : std::optional(*next);
+    const auto next = std::ranges::upper_bound(solution.wheel_flips, t);
+    return next == solution.wheel_flips.end() ? std::nullopt : std::optional(*next);
   }
   const double interval = solution.flips->interval, first = solution.flips->first;
   if (t < first) return std::isfinite(first) ? std::optional(first) : std::nullopt;

@@ -42,8 +42,8 @@ struct Solution {
   std::vector<motion::Sample> whole;
   /// The flips of the exact motion; nothing if the body does not turn over or is not rigid.
   std::optional<motion::ExactMotion::Flips> flips;
-  /// The flips of the reference of a body with a wheel in s, up to twice the duration.
-  std::vector<double> reference_flips;
+  /// The flips of a body with a wheel in the method's own solution in s, up to twice the duration.
+  std::vector<double> wheel_flips;
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
   /// Distinguishes it from other motions in the same picture: its method, or the axis about which
@@ -51,7 +51,7 @@ struct Solution {
   std::string name = {};
 
   /// Returns whether the body turns over.
-  bool turns_over() const { return flips || !reference_flips.empty(); }
+  bool turns_over() const { return flips || !wheel_flips.empty(); }
 };
 
 /// The state of one motion in one frame.

@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"report --static -o a.html --method rk4 --step 1e-7", 2, "take a longer --step"},
         Mistake{"report --static -o a.html --method rk4 --step 1e3", 2, "take a shorter --step"},
         Mistake{"report --static -o a.html --duration 1e5 --tolerance 1e-14", 2,
-                "take a larger --tolerance or a shorter --duration, or --method exact for a rigid "
+                "take a shorter --duration or a larger --tolerance, or --method exact for a rigid "
                 "body"},
         Mistake{"render explain --method rk4 --step 1e-9", 2, "take a longer --step"},
         Mistake{"render --duration 1e-6", 2, "0 frames"}, Mistake{"render --frames 5-3", 2, "5-3"},

@@ -270,6 +270,16 @@ TEST(Interior, IsRefusedInOneLineByCheck) {
   }
 }
 
+// It would need more steps than fit into memory.
+TEST(Interior, AWheelOfAnySpeedIsExportedOrRefused) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "export t-handle --wheel 1e12,0,0 -o a.glb");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("method taylor: more than 5000000 steps at t = "));
+  EXPECT_THAT(run.err, HasSubstr("take a shorter --duration"));
+  EXPECT_FALSE(exists(folder / "a.glb"));
+}
+
 TEST(Interior, ThePhaseNeedsTheSphere) {
   const ScratchFolder folder;
   const std::string film = "render --size 64x48 --frames 0 --no-video --frames-dir f ";
@@ -383,36 +393,6 @@ TEST(Interior, FlipsAreThoseOfTheMotionWithTheWheel) {
   }
   ASSERT_EQ(run_twrench(folder, "plot -o p.svg " + words).code, 0);
   EXPECT_THAT(text_of(folder / "p.svg"), HasSubstr("flips"));
-}
-
-TEST(Interior, IsReported) {
-  const ScratchFolder folder;
-  ASSERT_EQ(run_twrench(folder, "report t-handle --wheel 500,30,0 --duration 8 -o w.md").code, 0);
-  const std::string wheel = text_of(folder / "w.md");
-  EXPECT_THAT(wheel, HasSubstr("| Wheel h, body axes | (500, 30, 0) | g cm²/s |"));
-  EXPECT_THAT(wheel, HasSubstr("| Steady rotations with this L | 6 |"));
-  EXPECT_THAT(wheel, HasSubstr("differences from the method taylor with the tolerance 1e-15"));
-  EXPECT_THAT(wheel, HasSubstr("twrench study t-handle --wheel 500,30,0 --duration 8"));
-  EXPECT_THAT(wheel, HasSubstr("It turns over at "));
-  EXPECT_THAT(wheel, HasSubstr("Energy drift"));
-  ASSERT_EQ(
-      run_twrench(folder, "report tennis-racket --energy-loss-time 20 --duration 60 -o l.md").code,
-      0);
-  const std::string loss = text_of(folder / "l.md");
-  EXPECT_THAT(loss, HasSubstr("Energy T at the end"));
-  EXPECT_THAT(loss, HasSubstr("| Time of the energy loss τ | 20 | s |"));
-  EXPECT_THAT(loss, HasSubstr("at first and 90 degrees at the end"));
-  EXPECT_THAT(loss, HasSubstr("| Energy error |"));
-  // The geometric phase of a rigid body.
-  ASSERT_EQ(run_twrench(folder,
-                        "report --inertia 3,5,9 --omega 0,0.4,0.0011111111111111111 "
-                        "--duration 9 -o r.md")
-                .code,
-            0);
-  const std::string rigid = text_of(folder / "r.md");
-  EXPECT_THAT(rigid, HasSubstr("| Period P in which L returns in the body | 118.11089 | s |"));
-  EXPECT_THAT(rigid, HasSubstr("| Its geometric part | -2.7385939 | rad |"));
-  EXPECT_THAT(rigid, HasSubstr("| Rotation about L in that time | 44.505827 | rad |"));
 }
 
 TEST(Interior, WheelsAreShownSideBySide) {

@@ -66,7 +66,7 @@ std::vector<timeline::Solution> solution_of(const Motion& motion, std::span<cons
            .initial_energy = motion.initial_energy,
            .whole = motion.at(times),
            .flips = std::nullopt,
-           .reference_flips = {},
+           .wheel_flips = {},
            .flip_times = {}}};
 }
 

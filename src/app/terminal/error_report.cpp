@@ -40,7 +40,7 @@ std::string remedy_for_motion(motion::MotionError::Reason reason) {
     case motion::MotionError::Reason::too_many_steps:
       return "take a longer --step or a shorter --duration";
     case motion::MotionError::Reason::out_of_steps:
-      return "take a larger --tolerance or a shorter --duration, or --method exact for a rigid "
+      return "take a shorter --duration or a larger --tolerance, or --method exact for a rigid "
              "body";
     case motion::MotionError::Reason::step_underflow:
       return "take a larger --tolerance, or a slower motion";

@@ -68,7 +68,7 @@ TEST(ErrorReport, RemediesOfMotionsNameTheOptions) {
   EXPECT_EQ(remedy(too_many_steps), "take a longer --step or a shorter --duration");
   EXPECT_EQ(
       remedy(out_of_steps),
-      "take a larger --tolerance or a shorter --duration, or --method exact for a rigid body");
+      "take a shorter --duration or a larger --tolerance, or --method exact for a rigid body");
   EXPECT_THAT(remedy(step_underflow), HasSubstr("a larger --tolerance"));
   EXPECT_THAT(remedy(too_many_flips), HasSubstr("a shorter --duration"));
 }
