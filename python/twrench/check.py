@@ -278,7 +278,7 @@ def _problem(
 
 
 def _step_sizes(steps: Numbers, count: int) -> list[float]:
-    sizes: list[float] = _arguments.array("steps", steps, (None,), "step sizes in s").tolist()
+    sizes = [float(size) for size in _arguments.array("steps", steps, (None,), "step sizes in s")]
     if len(sizes) != count:
         raise UsageError(f"steps: has {len(sizes)} step sizes for {count} recordings")
     return sizes
