@@ -17,7 +17,7 @@ const Method& reference_method(const FreeBody& body);
 /// Returns the step control of reference_method(): its steps fit into memory and take seconds.
 /// Another thread can end the integration through `stop`, as in StepControl.
 inline StepControl reference_control(const std::atomic<bool>* stop = nullptr) {
-  return {.tolerance = min_tolerance, .max_steps = 5'000'000, .stop = stop};
+  return {.tolerance = min_tolerance, .max_steps = 2'000'000, .stop = stop};
 }
 
 /// The motion at any time from 0 to an end, in any order.

@@ -37,6 +37,7 @@ assert.ok(Math.abs(Math.log2(error(0.02) / error(0.01)) - 3) < 0.2);
 const settings = {
   width: 640, height: 360, thinnest: 1, theme: 'night', frame: 'space', azimuth: 0, elevation: 0.2, distance: 1,
   fieldOfView: 0.5, interval: 0.01, radius: 3, trailLength: 2, trailX: 1, trailY: 0, trailZ: 0, curveBegin: 0, curveEnd: 10,
+  stress: [],
 };
 const { X, omega } = motion.at(0);
 const vertices = (show) => {
