@@ -32,7 +32,7 @@ core_sources() {
   printf 'src/%s.cpp\n' base/{color,error,letters,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
     body/triangle_mesh \
     motion/{diagnostics,energy_contours,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
-    motion/{series_steps,stability,stepper,taylor,trajectory} study/flip_search \
+    motion/{reference_motion,series_steps,stability,stepper,taylor,trajectory} study/{flip_search,reference} \
     scene/{limits,prediction,scene,speed_curve} timeline/{reference_frame,timeline} \
     picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,intersections,mesh,shadow_balls} \
     picture/look/{emphasis,force_style,material,studio,theme} \

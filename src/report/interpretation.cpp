@@ -39,7 +39,7 @@ struct Excursion {
 
 Excursion excursion(const Solution& solution, const Eigen::Vector3d& axis) {
   Excursion result;
-  for (const motion::Sample& sample : solution.reference()) {
+  for (const motion::Sample& sample : solution.reference) {
     const Eigen::Vector3d now = sample.X * axis;
     const double cosine = now.dot(axis);
     result.least_cosine = std::min(result.least_cosine, cosine);
@@ -168,7 +168,7 @@ std::string with_interior(const Solution& solution) {
   const motion::FreeBody& body = solution.body;
   if (body.momentum().isZero())
     return "L is 0: the body turns against its wheel at a constant rate.";
-  const std::vector<motion::Sample> samples = solution.reference();
+  const std::vector<motion::Sample>& samples = solution.reference;
   const motion::Tilt tilt(body);
   const std::string axis = scene::axis_name(body.principal().axes, tilt.axis());
   if (body.energy_loss() > 0) {

@@ -71,7 +71,7 @@ void add_interior_rows(Table& table, const Solution& solution) {
     table.rows.push_back({"Wheel h, body axes", triple(interior.wheel), "g cm²/s"});
   }
   if (body.energy_loss() > 0) {
-    const motion::Sample end = solution.reference().back();
+    const motion::Sample& end = solution.reference.back();
     const double energy = body.energy(end.X.transpose() * body.momentum());
     table.rows.insert(table.rows.end(),
                       {{"Time of the energy loss τ", digits(interior.energy_loss_time), "s"},

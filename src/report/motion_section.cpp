@@ -7,7 +7,7 @@ Section motion_section(const Solution& solution) {
   Section section{.heading = solution.scene().shown_title(), .content = {}};
   section.content.emplace_back(constants_table(solution));
   section.content.emplace_back(
-      components_figure(solution, solution.reference(), solution.experiment->commands.components));
+      components_figure(solution, solution.reference, solution.experiment->commands.components));
   section.content.emplace_back(Paragraph{interpretation(solution)});
   // Otherwise it wobbles about a stable axis and does not turn over.
   const auto flips = solution.flips();

@@ -37,10 +37,6 @@ std::optional<motion::ExactMotion::Flips> Solution::flips() const {
   return exact ? exact->flips() : std::nullopt;
 }
 
-std::vector<motion::Sample> Solution::reference() const {
-  return study::reference_at(body, plot_times(scene().motion));
-}
-
 Solution solve(const Experiment& experiment) {
   const scene::Motion& motion = experiment.scene.motion;
   study::StudyPlan plan;
@@ -52,9 +48,10 @@ Solution solve(const Experiment& experiment) {
   plan.max_steps = most_study_steps;
   plan.stop = motion.control.stop;
   const motion::FreeBody body = scene::free_body(experiment.scene);
-  Solution solution{&experiment, body, {}, study::run_study(body, plan)};
+  Solution solution{&experiment, body, {}, study::run_study(body, plan), {}};
   if (body.is_rigid()) solution.exact.emplace(body);
   require_success(solution.run(), experiment);
+  solution.reference = study::reference_at(body, plot_times(motion));
   return solution;
 }
 

@@ -18,13 +18,12 @@ struct Solution {
   motion::FreeBody body;
   std::optional<motion::ExactMotion> exact;  ///< Nothing unless the body is rigid.
   study::Study own;                          ///< One run of the scene's method, which did not fail.
+  std::vector<motion::Sample> reference;     ///< With which it is compared, at times of a plot.
 
   const scene::Scene& scene() const { return experiment->scene; }
   const study::StudyRun& run() const { return own.methods.front().runs.front(); }
   /// Returns the flips of the exact motion; nothing if it has none or the body is not rigid.
   std::optional<motion::ExactMotion::Flips> flips() const;
-  /// Returns the motion with which the method is compared at the times of a plot.
-  std::vector<motion::Sample> reference() const;
 };
 
 /// Solves the experiment. The result refers to it. Throws MotionError if the scene's method cannot

@@ -23,7 +23,7 @@ void check_interior(const Scene& scene,
                     const std::function<std::string(const std::string& key)>& name_of);
 
 /// Throws InvalidArgument unless the body of the scene and of each shot is rigid. `what` names the
-/// result that needs a rigid body, such as "a report".
+/// result that needs a rigid body, such as "a check".
 void require_rigid(const Scene& scene, const std::string& what);
 
 /// Throws InvalidArgument if a scene whose body is not rigid, or such a shot, shows something in

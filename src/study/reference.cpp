@@ -27,13 +27,18 @@ Eigen::Matrix3d reference_step(const motion::FreeBody& body, const Eigen::Matrix
   return end;
 }
 
-std::vector<double> reference_flip_times(const motion::FreeBody& body, double t_end) {
-  const motion::Method& method = motion::reference_method(body);
+std::vector<double> flip_times(const motion::FreeBody& body, const motion::Method& method,
+                               const motion::StepControl& control, double t_end) {
   if (method.exact()) return motion::ExactMotion(body).flip_times(t_end);
   FlipSearch search(body, method);
-  motion::visit_steps(body, method, motion::reference_control(), t_end,
+  motion::visit_steps(body, method, control, t_end,
                       [&](const motion::AcceptedStep& step) { search.visit(step); });
-  std::vector<double> times = search.times();
+  return search.times();
+}
+
+std::vector<double> reference_flip_times(const motion::FreeBody& body, double t_end) {
+  std::vector<double> times =
+      flip_times(body, motion::reference_method(body), motion::reference_control(), t_end);
   std::erase_if(times, [&](double t) { return t > t_end; });
   return times;
 }

@@ -17,6 +17,11 @@ std::vector<motion::Sample> reference_at(const motion::FreeBody& body,
 Eigen::Matrix3d reference_step(const motion::FreeBody& body, const Eigen::Matrix3d& X,
                                double length);
 
+/// Returns the flip times in s in a method's own solution, as FlipSearch finds them where there is
+/// no closed form. The last may lie beyond t_end, but within the step that contains it.
+std::vector<double> flip_times(const motion::FreeBody& body, const motion::Method& method,
+                               const motion::StepControl& control, double t_end);
+
 /// Returns the flip times of the reference up to t_end, s, as FlipSearch finds them where there is
 /// no closed form.
 std::vector<double> reference_flip_times(const motion::FreeBody& body, double t_end);

@@ -1,13 +1,13 @@
 #include "timeline/timeline.h"
 
 #include <fmt/format.h>
-#include <twrench/study/flip_search.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "scene/limits.h"
+#include "study/reference.h"
 
 namespace twrench::timeline {
 namespace {
@@ -44,23 +44,17 @@ std::optional<motion::ExactMotion::Flips> flips_of(const motion::FreeBody& body)
   return flips && flips->turns_over() ? flips : std::nullopt;
 }
 
-/// Returns the times in s of the flips in the method's own solution.
-std::vector<double> flips_of_method(const Solution& solution, double end) {
-  if (solution.method->exact()) return motion::ExactMotion(solution.body).flip_times(end);
-  study::FlipSearch search(solution.body, *solution.method);
-  motion::visit_steps(solution.body, *solution.method, solution.control, end,
-                      [&](const motion::AcceptedStep& step) { search.visit(step); });
-  return search.times();
-}
-
 void add_flips(Solution& solution, double duration) {
   const motion::FreeBody& body = solution.body;
+  const auto up_to = [&](double end) {
+    return study::flip_times(body, *solution.method, solution.control, end);
+  };
   solution.flips = flips_of(body);
-  if (solution.flips) solution.flip_times = flips_of_method(solution, duration);
+  if (solution.flips) solution.flip_times = up_to(duration);
   // A body that loses energy does not turn over again and again, and a symmetric one has no
   // intermediate axis.
   if (body.energy_loss() > 0 || motion::ExactMotion::covers(body)) return;
-  solution.wheel_flips = flips_of_method(solution, 2 * duration);
+  solution.wheel_flips = up_to(2 * duration);
   std::ranges::copy_if(solution.wheel_flips, std::back_inserter(solution.flip_times),
                        [&](double t) { return t <= duration; });
 }
