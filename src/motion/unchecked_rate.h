@@ -13,10 +13,23 @@ inline Eigen::Vector3d rigid_velocity(const FreeBody& body, const Eigen::Vector3
   return body.inverse() * (m - body.interior().wheel);
 }
 
+/// The rate of a rigid body alone.
+struct RigidRate {
+  const FreeBody& body;
+  Eigen::Vector3d operator()(const Eigen::Vector3d& m) const { return body.inverse() * m; }
+};
+
+/// The rate of any body.
+struct InteriorRate {
+  const FreeBody& body;
+  Eigen::Vector3d operator()(const Eigen::Vector3d& m) const {
+    const Eigen::Vector3d w = rigid_velocity(body, m);
+    return w + body.energy_loss() * m.cross(w);
+  }
+};
+
 inline Eigen::Vector3d turning_rate(const FreeBody& body, const Eigen::Vector3d& m) {
-  if (body.is_rigid()) return body.inverse() * m;
-  const Eigen::Vector3d w = rigid_velocity(body, m);
-  return w + body.energy_loss() * m.cross(w);
+  return body.is_rigid() ? RigidRate{body}(m) : InteriorRate{body}(m);
 }
 
 }  // namespace twrench::motion::unchecked

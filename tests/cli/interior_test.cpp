@@ -386,7 +386,8 @@ TEST(Interior, FlipsAreThoseOfTheMotionWithTheWheel) {
   }
   const std::string film = "--size 64x48 --fps 1 --speed 1 --frames 0-7 --no-video --frames-dir f";
   ASSERT_EQ(run_twrench(folder, "render " + words + film).code, 0);
-  for (const json& frame : json::parse(text_of(folder / "f/manifest.json"))["frames"]) {
+  const json manifest = json::parse(text_of(folder / "f/manifest.json"));
+  for (const json& frame : manifest["frames"]) {
     const auto before =
         std::ranges::count_if(flips, [&](const json& flip) { return flip <= frame["t"]; });
     EXPECT_EQ(frame["flips"], before) << frame["t"];
