@@ -74,7 +74,7 @@ build_core() {
   wait "${jobs[0]}" && wait "${jobs[1]}" || die "the motion could not be compiled to WebAssembly"
   "clang++-$version" --target=wasm32-wasi -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections \
     "$out"/unity[01].o -o "$out/core.wasm"
-  gzip -9cn "$out/core.wasm" | base64 -w 0 >"$out/core.base64"
+  zopfli -c "$out/core.wasm" | base64 -w 0 >"$out/core.base64"
 }
 
 # build_template: builds build/page/page.html. The program inserts a scene into it.

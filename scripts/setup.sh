@@ -122,6 +122,7 @@ page     | fmt                           | libfmt-dev
 page     | Boost's headers               | libboost-dev
 page     | the bundler of scripts        | esbuild
 page     | OpenSSL's program             | openssl
+page     | the compressor of the core     | zopfli
 browser  | Chromium                      | chromium chromium-browser
 browser  | Firefox                       | firefox-esr               | pages are tested in Chromium alone
 browser  | a screen for Firefox          | xvfb                      | pages are tested in Chromium alone

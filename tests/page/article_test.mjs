@@ -15,7 +15,7 @@ const mostBytes = 480_000;
 const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const figures = (page) => page.evaluate(() => globalThis.twrench.figures());
 const figure = async (page, id) => (await figures(page)).find((one) => one.id === id);
-const ids = ['flip', 'axes', 'try', 'constant', 'frame', 'stable', 'sphere', 'waiting', 'methods'];
+const ids = ['flip', 'axes', 'try', 'constant', 'frame', 'stable', 'sphere', 'waiting', 'inside', 'methods'];
 
 /** The numbers in the readout of a figure, such as 23.6 or 1.2·10⁻⁸. */
 const readout = (page, id) =>
@@ -58,22 +58,23 @@ const core = (page, act, ...values) =>
   );
 
 /** The largest angle between L and the body axis `axis`, in degrees. */
-const largestLean = (page, omega, axis) =>
+const largestLean = (page, omega, axis, wheel = [0, 0, 0]) =>
   core(
     page,
-    (c, inertia, start, k) => {
-      const motion = c.motion(inertia, start),
+    (c, inertia, start, k, h) => {
+      const motion = c.motion(inertia, start, { wheel: h, energyLossTime: Infinity }),
         times = Array.from({ length: 2001 }, (_, i) => (i * 60) / 2000),
         { omega: all } = motion.samples(times);
       let most = 0;
       for (let i = 0; i < times.length; ++i) {
-        const m = [0, 1, 2].map((j) => inertia[4 * j] * all[3 * i + j]);
+        const m = [0, 1, 2].map((j) => inertia[4 * j] * all[3 * i + j] + h[j]);
         most = Math.max(most, Math.acos(m[k] / Math.hypot(...m)));
       }
       return (180 / Math.PI) * most;
     },
     omega,
     axis,
+    wheel,
   );
 
 const tests = {
@@ -139,6 +140,16 @@ const tests = {
     assert.ok(small > 1e-8 && small < 1e-5, `${small}`);
     near((await readout(page, 'waiting'))[0], (await flips((await figure(page, 'waiting')).omegas[0])).first, 'the first flip');
 
+    for (const [share, holds] of [[0.2, false], [0.9, true]]) {
+      const wheel = await drag(page, 'inside', share);
+      const [of, threshold, most] = await readout(page, 'inside');
+      near(of, wheel, 'the wheel');
+      near(threshold, 1578.650308428871 - 982.2713030224087, 'its threshold');
+      assert.equal(wheel > threshold, holds, `${wheel}`);
+      near(most, await largestLean(page, (await figure(page, 'inside')).omegas[0], 0, [wheel, 0, 0]), 'the lean of the body with a wheel');
+      assert.ok(holds ? most < 15 : most > 60, `${most}`);
+    }
+
     const before = (await figure(page, 'sphere')).omegas[0];
     await page.focus('#part-sphere .view canvas');
     await settle(page);
@@ -196,6 +207,27 @@ const tests = {
     }, t, step);
     assert.deepEqual([exact, rk4, rkmk4], expected);
     assert.ok(exact >= 2, `${exact}`);
+    quiet();
+  },
+
+  async 'friction makes the body spin about the axis of greatest moment'() {
+    const { page, quiet } = await open(flip, { ...still, ...wide });
+    await page.$eval('#part-inside', (part) => part.scrollIntoView());
+    await page.click('#part-inside button.round');
+    await page.waitForFunction(() => globalThis.twrench.figures().at(-2).t > 25, { timeout: 60_000 });
+    await page.click('#part-inside button.round');
+    await page.waitForFunction(() => !globalThis.twrench.figures().at(-2).plays);
+    await settle(page);
+    const { t, omegas } = await figure(page, 'inside');
+    const expected = await core(page, (c, inertia, now, omega) => {
+      const { interval } = c.motion(inertia, [1, 0.05, 0]).facts.flips,
+        motion = c.motion(inertia, omega, { wheel: [0, 0, 0], energyLossTime: interval / 5 }),
+        energy = (at) => motion.at(at).omega.reduce((sum, w, k) => sum + inertia[4 * k] * w * w, 0);
+      return (100 * energy(now)) / energy(0);
+    }, t, omegas[1]);
+    const [, , , left] = await readout(page, 'inside');
+    near(left, expected, 'the energy left', 0.02);
+    near(left, (100 * 722.6710300807721) / 1578.650308428871, 'as about the axis of greatest moment', 0.05);
     quiet();
   },
 

@@ -148,6 +148,38 @@ const tests = {
     quiet();
   },
 
+  async 'the geometric phase of a rigid body is stated and shaded'() {
+    const { page, quiet } = await open(flip, still);
+    const numbers = async () => (await shown(page, '#phase')).match(/−?\d[\d.]*/g).map((text) => Number(text.replace('−', '-')));
+    for (const omega of ['1,0.05,0', '0.2,0.1,1']) {
+      for (const [i, value] of omega.split(',').entries()) await enter(page, `#omega .field:nth-child(${i + 1}) input[inputmode=decimal]`, value);
+      const scene = join(folder, 'phase.toml');
+      writeFileSync(scene, `[body]\nmoments = [982.2713030224087, 722.6710300807721, 1578.650308428871]\n[motion]\nomega = [${omega}]\n`);
+      const { phase } = JSON.parse(twrench('inertia', scene, '--format', 'json')),
+        [period, ...angles] = await numbers();
+      assert.ok(Math.abs(period / phase.period - 1) < 0.005, `${period}`);
+      ['total', 'dynamic', 'geometric'].forEach((name, i) =>
+        assert.ok(Math.abs(angles[i] - phase[name]) <= 1e-5 * Math.abs(phase[name]), `${name}: ${angles[i]} in place of ${phase[name]}`),
+      );
+    }
+    await page.$eval('#sphere', (view) => view.scrollIntoView());
+    await settle(page);
+    const sphere = () => page.$eval('#sphere canvas', (canvas) => canvas.toDataURL());
+    const plain = await sphere();
+    await page.click('#show label:has([data-word=feature_phase]) input');
+    await page.waitForFunction(() => location.hash.includes('phase'));
+    await settle(page);
+    assert.notEqual(await sphere(), plain);
+    const command = await copied(page, '#copy-command');
+    assert.match(command, /--show phase/);
+    const words = command.split(' ').slice(1, -2);
+    twrench(...words, '--size', '96x64', '--frames', '0', '--no-video', '--progress', 'none', '--frames-dir', join(folder, 'phase'));
+    await enter(page, text(3), '100');
+    assert.equal(await isShown(page, '#phase'), false, 'no closed curve with a wheel');
+    assert.equal(await isShown(page, '#show label:has([data-word=feature_phase])'), false);
+    quiet();
+  },
+
   async 'a link holds the wheel and the energy loss, and reports impossible ones'() {
     const state = '#t=12&wheel=10,-20,30.5&energy_loss_time=40&length=200';
     const { page, quiet } = await open(flip, { ...still, hash: state });

@@ -194,7 +194,7 @@ export class App {
     this.comparePanel.draw(state, model, this.runs, colors);
     this.transport.show(state, model);
     if (this.dirty) {
-      this.startPanel.show(state);
+      this.startPanel.show(state, model);
       this.interiorPanel.show(state, model);
       this.bodyPanel.show(state, model);
       this.viewPanel.show(state);

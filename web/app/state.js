@@ -7,7 +7,7 @@ import { clamp } from '../math/linear.js';
 /** The values of a body in which nothing moves, by their keys in scene files. */
 export const noInterior = { wheel: [0, 0, 0], energy_loss_time: Infinity };
 
-export const features = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'labels'];
+export const features = ['floor', 'axes', 'momentum', 'omega', 'trail', 'plane', 'phase', 'labels'];
 
 /**
  * The speeds offered: nine powers of 2 around 1, shifted if necessary to include the scene's speed.

@@ -57,7 +57,9 @@ function valuesOf(state, data, theme, { facts }) {
   // One motion instead of those that the film compares.
   if (!compared && overlay.compare?.length) all.push(['overlay', 'compare', [method]]);
   if (overlay.compare_wheel?.length) all.push(['overlay', 'compare_wheel', [state.wheel]]);
-  if (!isRigid(state) && !['wrench', 'momentum'].includes(overlay.view)) all.push(['overlay', 'view', 'wrench']);
+  const { view } = overlay,
+    lacksSphere = state.show.includes('phase') && view === 'poinsot';
+  if (lacksSphere || (!isRigid(state) && !['wrench', 'momentum'].includes(view))) all.push(['overlay', 'view', 'wrench']);
   return all;
 }
 
@@ -71,7 +73,8 @@ function isChanged([table, key, value], scene) {
 /** The items to show: those of the film that cannot be chosen on the page, and the chosen ones. @param {State} state @param {PageData} data */
 function shownFeatures(state, data) {
   const others = data.scene.overlay.show.filter((/** @type {string} */ name) => !features.includes(name));
-  return [...others, ...state.show].filter((name) => hasMeaning(name, state, data));
+  if (state.show.includes('phase')) others.push('sphere'); // on which it is shown
+  return [...new Set([...others, ...state.show])].filter((name) => hasMeaning(name, state, data));
 }
 
 /**

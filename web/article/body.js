@@ -1,9 +1,10 @@
 // The body of the article's figures, and the motions in which they show it.
 import { diagonal } from '../core/core.js';
 import { MotionModel, spunAbout } from '../app/motion_model.js';
-import { add, column, cross, dot, scale } from '../math/linear.js';
+import { add, column, cross, dot, norm, scale } from '../math/linear.js';
 
 /** @import { Core } from '../core/core.js' */
+/** @import { Interior } from '../core/types' */
 /** @import { PageData } from '../app/types' */
 
 const usualPush = 0.05; // deviation from the axis, as a fraction of the angular velocity
@@ -39,9 +40,33 @@ export class Body {
     flipping.release();
   }
 
-  /** @param {number[]} omega rad/s, body axes */
-  model(omega) {
-    return new MotionModel(this.core.motion(this.inertia, omega), this.trailLength);
+  /** @param {number[]} omega rad/s, body axes @param {Interior} [interior] */
+  model(omega, interior) {
+    return new MotionModel(this.core.motion(this.inertia, omega, interior), this.trailLength);
+  }
+
+  /** A wheel along the rotation about the middle axis. @param {number} momentum g cm^2/s @returns {Interior["wheel"]} */
+  wheel(momentum) {
+    const omega = this.spun(1, 0);
+    return scale(momentum / norm(omega), omega);
+  }
+
+  /** The least wheel, g cm^2/s, that makes the rotation about the middle axis stable (docs/theory.md). */
+  get holdingWheel() {
+    const [, middle, greatest] = this.facts.moments;
+    return (greatest - middle) * this.rate;
+  }
+
+  /**
+   * A time constant of an energy loss, s, with which a rotation about the axis of least moment ends soon. It
+   * is above the threshold of docs/theory.md.
+   */
+  get lossTime() {
+    const [least, middle, greatest] = this.facts.moments,
+      p = 1 / least - 1 / greatest,
+      q = 1 / middle - 1 / greatest,
+      threshold = (p - q) / ((p + q) * least * this.rate * Math.sqrt(p * q));
+    return Math.max(this.interval / 5, 2 * threshold);
   }
 
   /** The angular velocity about an axis with a push to the side. @param {Axis} axis @param {number} push As a fraction of the rate. */

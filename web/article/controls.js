@@ -2,6 +2,7 @@
 // the methods.
 import { seek } from '../app/player.js';
 
+/** @import { Interior } from '../core/types' */
 /** @import { Axis } from './body.js' */
 /** @import { Figure } from './figure.js' */
 /** @import { ControlName } from './types' */
@@ -13,6 +14,7 @@ import { seek } from '../app/player.js';
  * @property {(figure: Figure) => number} value
  * @property {(figure: Figure, value: number) => void} set
  * @property {(figure: Figure) => number[][]} omegas The angular velocities of the bodies at t = 0.
+ * @property {(figure: Figure) => Interior[]} [interiors] What moves in the bodies; default: nothing.
  */
 
 const degree = Math.PI / 180;
@@ -61,6 +63,17 @@ export const controls = {
     label: 'lean',
     range: () => [1, 30],
     omegas: ({ body, value }) => [body.leaning(degree * value)],
+  },
+  wheel: {
+    label: 'wheel',
+    range: ({ body }) => [0, 2 * body.holdingWheel],
+    value: ({ body, value }) => Number((value * body.holdingWheel).toPrecision(4)),
+    set: (figure, wheel) => figure.setValue(wheel / figure.body.holdingWheel),
+    omegas: (figure) => spins(figure),
+    interiors: ({ body, value }) => [
+      { wheel: body.wheel(value * body.holdingWheel), energyLossTime: Infinity },
+      { wheel: body.wheel(0), energyLossTime: body.lossTime },
+    ],
   },
   start: {
     range: () => [],

@@ -155,7 +155,8 @@ export class Figure {
   /** Makes the motions for the value of the control, and begins with their start. */
   #restart() {
     const last = this.models;
-    this.models = this.control.omegas(this).map((omega) => this.body.model(omega));
+    const interiors = this.control.interiors?.(this) ?? [];
+    this.models = this.control.omegas(this).map((omega, i) => this.body.model(omega, interiors[i]));
     this.runs.stop();
     for (const model of last) model.release();
     const { first = this.body.interval } = this.models[0].facts.flips ?? {},
@@ -175,16 +176,17 @@ export class Figure {
     this.button.relabel();
     this.field?.relabel();
     const { compare, methods } = this.store.state,
-      names = compare === 'off' ? this.#axisNames() : methods;
+      names = compare === 'off' ? this.#bodyNames() : methods;
     this.names.replaceChildren(...names.map((name) => element('span', '', name)));
     this.isNew = true;
     this.player.invalidate();
   }
 
-  /** Names of bodies about different axes. */
-  #axisNames() {
+  /** Names of several bodies. */
+  #bodyNames() {
     if (this.axes.length === 1) return [];
-    return this.axes.map((axis) => word(['aboutLeast', 'aboutMiddle', 'aboutGreatest'][axis]));
+    const { names = this.axes.map((axis) => ['aboutLeast', 'aboutMiddle', 'aboutGreatest'][axis]) } = this.description;
+    return names.map((name) => word(name));
   }
 
   draw() {

@@ -1,6 +1,7 @@
 // The numbers in the texts of the article, by their names. The core computes them for the bodies shown.
 import { evenly } from '../app/motion_model.js';
-import { dot, norm, scale, times } from '../math/linear.js';
+import { matrix } from '../core/motion.js';
+import { column, dot, norm, scale, times } from '../math/linear.js';
 import { brief, duration, precise, word } from '../words/words.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
@@ -20,11 +21,12 @@ const percent = (share) => `${brief(100 * share)} %`;
  * The angles in rad between L and the end of a principal axis that is nearer to L at t = 0.
  * @param {Figure["body"]} body @param {number} axis @param {MotionModel} model @param {Samples} samples
  */
-export function leans(body, axis, { facts }, { t, omega }) {
+export function leans(body, axis, { facts }, { t, X }) {
   const end = body.axis(axis),
     direction = scale(dot(facts.momentum, end) < 0 ? -1 : 1, end);
   return Array.from(t, (_, i) => {
-    const momentum = times(body.inertia, omega.subarray(3 * i)),
+    const attitude = matrix(X, 9 * i),
+      momentum = [0, 1, 2].map((k) => dot(column(attitude, k), facts.momentum)),
       along = dot(momentum, direction),
       across = norm(momentum.map((component, k) => component - along * direction[k]));
     return Math.atan2(across, along);
@@ -76,6 +78,8 @@ const ofMotion = {
   period0: (figure) => timeScale(figure, 0),
   doubling: (figure) => timeScale(figure, 1),
   period2: (figure) => timeScale(figure, 2),
+  wheel: ({ body, value }) => brief(value * body.holdingWheel),
+  threshold: ({ body }) => brief(body.holdingWheel),
   decade: ({ body }) => duration(Math.LN10 / body.stability(1).rate),
 };
 
@@ -102,6 +106,7 @@ const ofTime = {
   rate: (figure) => precise(norm(omegaNow(figure))),
   leanNow: ({ body, axes, models, store }) =>
     degrees(leans(body, axes[0], models[0], models[0].motion.samples([store.state.t]))[0]),
+  left: ({ models, store }) => percent(models[1].energyLeft(store.state.t)),
   flipsA: ({ runs, store }) => String(runs.runners[0].flipsUntil(store.state.t)),
   flipsB: ({ runs, store }) => String(runs.runners[1].flipsUntil(store.state.t)),
   driftA: (figure) => driftOf(figure, 0),

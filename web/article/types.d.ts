@@ -1,7 +1,7 @@
 // The sections of the article (article.json).
 import type { Comparison, FrameName } from '../app/types';
 export type AxisName = 'least' | 'middle' | 'greatest';
-export type ControlName = 'time' | 'push' | 'axis' | 'lean' | 'start' | 'delay' | 'step';
+export type ControlName = 'time' | 'push' | 'axis' | 'lean' | 'start' | 'delay' | 'step' | 'wheel';
 
 /**
  * The texts of a section. In them {name} is a number of numbers.js, and [thing|words] are words in the colour
@@ -16,8 +16,9 @@ export interface SectionText {
 
 export interface FigureDescription {
   spin: AxisName[]; // The axes about which bodies spin side by side.
+  names?: string[]; // The keys of the words for the bodies; default: their axes.
   push?: number; // Deviation from the axis, as a fraction of the angular velocity.
-  value?: number; // The control's at the start, for a step the rotation in rad; default: the push.
+  value?: number; // The control's at the start: for a step the rotation in rad, for a wheel a multiple of the threshold; default: the push.
   show: string[]; // As in the page's state, and so are the next three.
   frame?: FrameName;
   compare?: Comparison;

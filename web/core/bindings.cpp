@@ -113,11 +113,11 @@ extern "C" {
 
 [[clang::export_name("motion_free")]] void motion_free(const Motion* motion) { delete motion; }
 
-/// Without a closed form there are no kind and no flips of one, but a greatest time, an upper bound
-/// of the rate, and whether the body turns over.
+/// Without a closed form there are no kind, flips and phase of one, but a greatest time, an upper
+/// bound of the rate, and whether the body turns over.
 [[clang::export_name("motion_facts")]] void motion_facts(const Motion* motion) {
   const body::PrincipalAxes& principal = motion->body.principal();
-  Results results(22);
+  Results results(25);
   results << motion->body.momentum() << motion->initial_energy << principal.moments
           << principal.axes << (motion->exact ? 1.0 : 0.0);
   if (!motion->exact) {
@@ -125,8 +125,11 @@ extern "C" {
             << (page::turns_over(motion->body) ? 1.0 : 0.0);
     return;
   }
+  const auto phase = motion->exact->phase();
+  results << static_cast<double>(motion->exact->kind()) << (phase ? phase->period : 0)
+          << (phase ? phase->total : 0) << (phase ? phase->dynamic : 0);
   const auto flips = motion->exact->flips();
-  results << static_cast<double>(motion->exact->kind()) << (flips ? 1.0 : 0.0);
+  results << (flips ? 1.0 : 0.0);
   if (!flips) return;
   results << flips->interval << flips->first << flips->asymptotic_interval << flips->swing;
 }

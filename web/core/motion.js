@@ -98,7 +98,7 @@ export class Motion extends Sampled {
 
   /** @param {boolean} losesEnergy @returns {Facts} */
   #facts(losesEnergy) {
-    const r = this.instance.compute(23, [], 'motion_facts', this.held.get());
+    const r = this.instance.compute(26, [], 'motion_facts', this.held.get());
     const moments = vector(r, 4);
     const common = {
       momentum: vector(r, 0),
@@ -110,15 +110,16 @@ export class Motion extends Sampled {
     };
     if (!r[16]) {
       const [longest, rate, turnsOver] = r.slice(17, 20);
-      return { ...common, kind: null, longest, rate, flips: null, turnsOver: turnsOver > 0 };
+      return { ...common, kind: null, longest, rate, flips: null, phase: null, turnsOver: turnsOver > 0 };
     }
-    const [kind, hasFlips, interval, first, asymptoticInterval, swing] = r.slice(17, 23);
+    const [kind, period, total, dynamic, hasFlips, interval, first, asymptoticInterval, swing] = r.slice(17, 26);
     return {
       ...common,
       kind: kinds[kind],
       longest: Infinity,
       rate: Math.hypot(...this.omega),
       flips: hasFlips ? { interval, first, asymptoticInterval, swing } : null,
+      phase: period ? { period, total, dynamic, geometric: total - dynamic } : null,
       turnsOver: hasFlips > 0 && swing >= Math.PI / 2,
     };
   }

@@ -54,6 +54,14 @@ export interface Flips {
   swing: number; // rad, the angle through which the intermediate axis swings
 }
 
+/** The rotation about L in one period of the momentum in the body: total = dynamic + geometric. */
+export interface Phase {
+  period: number; // s
+  total: number; // rad, without mod 2 pi
+  dynamic: number; // rad, 2 E T / |L|
+  geometric: number; // rad, minus the area on the unit sphere
+}
+
 /** The properties of a motion that do not depend on time. */
 export interface Facts {
   kind: Kind | null; // null without a closed form: the motion is then integrated
@@ -65,6 +73,7 @@ export interface Facts {
   moments: Vector; // principal moments, ascending, g cm^2
   axes: Matrix; // body_from_principal; column i is the axis of moments[i]
   flips: Flips | null; // null for a steady motion and a symmetric body, and without a closed form
+  phase: Phase | null; // null for a steady motion and on the separatrix, and without a closed form
   turnsOver: boolean; // whether the body turns over instead of wobbling; false if energy is lost
   isReal: boolean; // whether a real body can have these moments (triangle inequality)
 }

@@ -4,10 +4,11 @@ import { byId, element, radiosOf, showNote } from '../app/dom.js';
 import { column, dot, norm } from '../math/linear.js';
 import { spunAbout } from '../app/motion_model.js';
 import { replaced } from '../app/state.js';
-import { brief, word } from '../words/words.js';
+import { brief, duration, precise, word } from '../words/words.js';
 import { NumberField } from './number_field.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
+/** @import { Phase } from '../core/types' */
 /** @import { Store } from '../app/state.js' */
 /** @import { PageData, State } from '../app/types' */
 
@@ -38,11 +39,16 @@ export class StartPanel {
     });
   }
 
-  /** @param {State} state */
-  show({ omega }) {
+  /** @param {State} state @param {MotionModel} model */
+  show({ omega }, { facts: { phase } }) {
     this.fields.forEach((field, i) => field.show(omega[i]));
+    showNote('phase', phase ? textOf(phase) : '');
   }
 }
+
+/** The angles of the rotation about L in one period. @param {Phase} phase */
+const textOf = ({ period, total, dynamic, geometric }) =>
+  word('phaseSays', duration(period), ...[total, dynamic, geometric].map(precise));
 
 export class InteriorPanel {
   /** @param {Store} store @param {PageData} data @param {MotionModel} model */
