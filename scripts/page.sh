@@ -77,8 +77,11 @@ build_core() {
   zopfli -c "$out/core.wasm" | base64 -w 0 >"$out/core.base64"
 }
 
-# build_template: builds build/page/page.html. The program inserts a scene into it.
+# build_template: builds build/page/page.html, unless it is newer than all of its sources. The program inserts a
+# scene into it.
 build_template() {
+  [[ $out/page.html -ot $out/core.base64 || -n $(find web scripts/page.sh -newer "$out/page.html" -type f -print -quit) ]] ||
+    return 0
   esbuild web/main.js --bundle --format=esm --target=es2022 --minify --charset=utf8 \
     --loader:.vert=text --loader:.frag=text --loader:.glsl=text --log-level=warning \
     --legal-comments=none --outfile="$out/script.js"
@@ -141,4 +144,4 @@ serve() {
 [[ $mode != --serve ]] || serve "${@:2}"
 build_core
 build_template
-say "$out/page.html: $(stat --format=%s "$out/page.html") bytes"
+[[ $mode != --check ]] || say "$out/page.html: $(stat --format=%s "$out/page.html") bytes"
