@@ -18,6 +18,7 @@
 #include "base/enumeration.h"
 #include "interruptible.h"
 #include "module.h"
+#include "motion/phase.h"
 #include "scene/limits.h"
 
 namespace twrench::python {
@@ -213,7 +214,8 @@ void add_dynamics(py::module_& module) {
         return motion::FreeBody(inertia, omega, attitude, {wheel, energy_loss_time});
       }))
       .def_property_readonly("is_rigid", &motion::FreeBody::is_rigid)
-      .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); });
+      .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); })
+      .def("phase", &motion::phase_of, py::call_guard<py::gil_scoped_release>());
   using Flips = motion::ExactMotion::Flips;
   py::class_<Flips>(module, "Flips")
       .def_readonly("interval", &Flips::interval)
@@ -234,7 +236,6 @@ void add_dynamics(py::module_& module) {
              return Array(static_cast<py::ssize_t>(times.size()), times.data());
            })
       .def_property_readonly("flips", &motion::ExactMotion::flips)
-      .def_property_readonly("phase", &motion::ExactMotion::phase)
       .def_property_readonly(
           "kind", [](const motion::ExactMotion& m) { return enumerator_name(m.kind()); });
   module.def("integrate", &integrate);

@@ -133,6 +133,13 @@ class Motion:
         """The angular momentum L in space axes in g cm^2/s, (3,), which is constant."""
         return self._free_body.momentum
 
+    def phase(self) -> Phase | None:
+        """The rotation about L in one period of the true motion, also of a body with a wheel.
+
+        None if there is no period: for steady motion, on the separatrix, and with energy loss.
+        """
+        return _phase(self._free_body)
+
     @cached_property
     def quaternion_xyzw(self) -> Array:
         """X as unit quaternions (x, y, z, w), (n, 4): the order of SciPy, ROS and Eigen's memory.
@@ -294,7 +301,7 @@ class Phase:
     period: float
     #: Angle about L in rad.
     total: float
-    #: The part 2 E T / \|L\| in rad.
+    #: The integral of omega . m / \|m\| in rad: 2 E T / \|L\| for a rigid body.
     dynamic: float
 
     @property
@@ -302,6 +309,11 @@ class Phase:
         """``total - dynamic`` in rad, which depends only on the path of the momentum: minus the area
         on the unit sphere that the path of its direction encloses."""
         return self.total - self.dynamic
+
+
+def _phase(free_body: _native.FreeBody) -> Phase | None:
+    phase = free_body.phase()
+    return Phase(phase.period, phase.total, phase.dynamic) if phase else None
 
 
 class ExactMotion:
@@ -398,11 +410,9 @@ class ExactMotion:
         flips = self._native.flips
         return flips is not None and flips.turns_over
 
-    @property
     def phase(self) -> Phase | None:
         """The rotation about L in one period; None for steady motion and on the separatrix."""
-        phase = self._native.phase
-        return Phase(phase.period, phase.total, phase.dynamic) if phase else None
+        return _phase(self._free_body)
 
 
 def exact(body: Body, omega: Numbers, *, attitude: Attitude | None = None) -> ExactMotion:

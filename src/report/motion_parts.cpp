@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "motion/energy_contours.h"
+#include "motion/phase.h"
 #include "plot/attitude_plot.h"
 #include "report/numbers.h"
 
@@ -43,12 +44,14 @@ void add_flip_rows(Table& table, const motion::ExactMotion::Flips& flips) {
         "degrees"}});
 }
 
-void add_phase_rows(Table& table, const std::optional<motion::ExactMotion::Phase>& phase) {
+void add_phase_rows(Table& table, const motion::FreeBody& body) {
+  const auto phase = motion::phase_of(body);
   if (!phase) return;
   table.rows.insert(table.rows.end(),
                     {{"Period P in which L returns in the body", digits(phase->period), "s"},
                      {"Rotation about L in that time", digits(phase->total), "rad"},
-                     {"Its dynamic part, 2TP/|L|", digits(phase->dynamic), "rad"},
+                     {body.is_rigid() ? "Its dynamic part, 2TP/|L|" : "Its dynamic part",
+                      digits(phase->dynamic), "rad"},
                      {"Its geometric part", digits(phase->geometric()), "rad"}});
 }
 
@@ -123,7 +126,7 @@ Table constants_table(const Solution& solution) {
   if (solution.exact) table.rows.push_back({"Kind", name_of(solution.exact->kind()), ""});
   if (!body.is_rigid()) add_interior_rows(table, solution);
   if (const auto flips = solution.flips()) add_flip_rows(table, *flips);
-  if (solution.exact) add_phase_rows(table, solution.exact->phase());
+  add_phase_rows(table, body);
   return table;
 }
 

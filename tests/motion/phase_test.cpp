@@ -1,10 +1,14 @@
 // The geometric phase: how far a body turns about L in one period of its momentum.
+#include "motion/phase.h"
+
 #include <gtest/gtest.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
+#include <twrench/motion/trajectory.h>
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "motion/bodies_of_every_kind.h"
 
@@ -100,6 +104,62 @@ TEST(Phase, OfASymmetricBodyWithAWheelToo) {
   }
 }
 
+// A wheel this small changes no digit, but the motion is integrated.
+TEST(Phase, OfAVanishingWheelIsThatOfTheRigidBody) {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    for (const Vector3d& omega : {Vector3d(0.2, 1, 0.02), Vector3d(1, 0.3, 0.1),
+                                  Vector3d(0.02, -1, 0.3), Vector3d(-0.1, 0.2, -1)}) {
+      const Matrix3d inertia = scale * Vector3d(3, 5, 9).asDiagonal();
+      const Matrix3d attitude = so3::exp({0.3, -1.1, 0.7});
+      const auto rigid = ExactMotion(FreeBody(inertia, scale * omega, attitude)).phase();
+      const auto found =
+          phase_of(FreeBody(inertia, scale * omega, attitude, {.wheel = {1e-200, 0, 0}}));
+      ASSERT_TRUE(rigid && found);
+      EXPECT_NEAR(found->period, rigid->period, 1e-11 * rigid->period);
+      EXPECT_NEAR(found->total, rigid->total, 1e-11 * (1 + rigid->total));
+      EXPECT_NEAR(found->area(), rigid->area(), 1e-10);
+    }
+  }
+}
+
+// The motion itself returns turned about L by the angle; the dynamic part and the area are sums
+// over equal steps, as above.
+TEST(Phase, OfABodyWithAWheelIsTheTurnOfItsMotion) {
+  constexpr int steps = 1 << 12;
+  for (const Vector3d& wheel : {Vector3d(0.5, 0.2, -0.3), Vector3d(0, 2, 0), Vector3d(0, 0, -7)}) {
+    for (const Vector3d& omega : {Vector3d(0.2, 1, 0.02), Vector3d(1, 0.3, 0.1)}) {
+      const FreeBody body(Vector3d(3, 5, 9).asDiagonal(), omega, Matrix3d::Identity(),
+                          {.wheel = wheel});
+      const auto phase = phase_of(body);
+      ASSERT_TRUE(phase);
+      std::vector<double> times;
+      for (int i = 0; i <= steps; ++i) times.push_back(phase->period * i / steps);
+      const auto samples =
+          integrate(body, find_method("taylor"), {.tolerance = min_tolerance}, times).samples;
+      const double G = body.momentum().norm();
+      const auto mu = [&](const Sample& s) {
+        return Vector3d(s.X.transpose() * body.momentum() / G);
+      };
+      EXPECT_LE((mu(samples.back()) - mu(samples.front())).norm(), 1e-11);
+      const double angle = angle_about(body, samples.back().X);
+      EXPECT_NEAR(std::remainder(phase->total - angle, 2 * pi), 0, 1e-11 * (1 + phase->total));
+      Vector3d middle = Vector3d::Zero();
+      for (int i = 0; i < steps; ++i) middle += mu(samples[static_cast<std::size_t>(i)]);
+      middle.normalize();
+      double dynamic = 0, area = 0;
+      for (int i = 0; i < steps; ++i) {
+        const Sample& s = samples[static_cast<std::size_t>(i)];
+        const Vector3d m = mu(s);
+        const double along = m.dot(middle);
+        dynamic += m.dot(s.omega) * phase->period / steps;
+        area += middle.dot(m.cross(m.cross(s.omega))) / (1 + along) * phase->period / steps;
+      }
+      EXPECT_NEAR(phase->dynamic, dynamic, 1e-10 * (1 + std::abs(dynamic)));
+      EXPECT_NEAR(phase->area(), area, 1e-10);
+    }
+  }
+}
+
 TEST(Phase, IsThatOfAClosedPathAlone) {
   const auto phase = [](const Vector3d& moments, const Vector3d& omega) {
     return ExactMotion(FreeBody(moments.asDiagonal(), omega)).phase();
@@ -107,6 +167,15 @@ TEST(Phase, IsThatOfAClosedPathAlone) {
   EXPECT_FALSE(phase({1, 2, 3}, {0, 0, 1}));
   EXPECT_FALSE(phase({1, 2, 3}, {0, 0, 0}));
   EXPECT_FALSE(phase({1, 4, 6}, {2, 0, 1})) << "the separatrix";
+  const auto of = [](const Vector3d& omega, const Interior& interior) {
+    return phase_of(
+        FreeBody(Vector3d(3, 5, 9).asDiagonal(), omega, Matrix3d::Identity(), interior));
+  };
+  EXPECT_TRUE(of({0.1, 1, 0}, {.wheel = {0, 1, 0}}));
+  EXPECT_FALSE(of({0, 1, 0}, {.wheel = {0, 1, 0}})) << "steady";
+  EXPECT_FALSE(of({1e-11, 1, 0}, {.wheel = {0, 1, 0}})) << "at the saddle";
+  EXPECT_FALSE(of({0, 1, 0}, {.wheel = {0, -5, 0}})) << "no momentum";
+  EXPECT_FALSE(of({0.1, 1, 0}, {.energy_loss_time = 50}));
 }
 
 }  // namespace

@@ -124,12 +124,25 @@ def test_flips(body):
 def test_phase(body):
     L, moments = np.array([0, 2, 0.01]), np.array([3, 5, 9])
     known = twrench.Body(moments=moments)
-    phase = twrench.exact(known, L / moments).phase
+    phase = twrench.exact(known, L / moments).phase()
     assert phase.period == pytest.approx(118.1109, abs=5e-5)
     assert phase.dynamic == pytest.approx(47.2444204, abs=5e-8)
     assert phase.geometric == pytest.approx(-2.7385939, abs=5e-8)
     assert phase.total == pytest.approx(44.5058265, abs=5e-8)
-    assert twrench.exact(body, [0, 0, 1]).phase is None
+    assert twrench.exact(body, [0, 0, 1]).phase() is None
+
+
+def test_phase_of_a_body_with_a_wheel():
+    body, omega, wheel = twrench.Body(moments=(3, 5, 9)), [0.2, 1, 0.02], [0.5, 0.2, -0.3]
+    phase = twrench.simulate(body, omega, [0], wheel=wheel).phase()
+    assert phase.total == pytest.approx(phase.dynamic + phase.geometric)
+    there = twrench.simulate(body, omega, [phase.period], wheel=wheel, tolerance=1e-15)
+    axis = there.momentum / np.linalg.norm(there.momentum)
+    turn = there.X[0] @ axis - axis
+    assert np.linalg.norm(turn) < 1e-10
+    cosine = (np.trace(there.X[0]) - 1) / 2
+    assert cosine == pytest.approx(math.cos(phase.total), abs=1e-10)
+    assert twrench.simulate(body, omega, [0], wheel=wheel, energy_loss_time=50).phase() is None
 
 
 def test_a_wheel_and_energy_loss(body, program, tmp_path):

@@ -14,6 +14,7 @@
 #include "app/options/option_group.h"
 #include "app/options/scene_options.h"
 #include "base/enumeration.h"
+#include "motion/phase.h"
 #include "scene/prediction.h"
 #include "system/file.h"
 #include "system/output.h"
@@ -77,8 +78,7 @@ struct Described {
 };
 
 std::optional<Turn> turn_of(const scene::Scene& scene) {
-  if (!scene.motion.is_rigid()) return std::nullopt;
-  const auto phase = motion::ExactMotion(scene::free_body(scene)).phase();
+  const auto phase = motion::phase_of(scene::free_body(scene));
   if (!phase) return std::nullopt;
   return Turn{scene.motion.omega, *phase};
 }
@@ -88,14 +88,15 @@ std::string angle_line(const char* name, double angle) {
                      angle / (2 * std::numbers::pi));
 }
 
-std::string turn_lines(const Turn& turn) {
+std::string turn_lines(const Turn& turn, bool is_rigid) {
   const auto& [omega, phase] = turn;
   return fmt::format(
              "rotation about L in one period of the momentum in the body, omega = ({:.6g}, {:.6g}, "
              "{:.6g}) rad/s\n",
              omega[0], omega[1], omega[2]) +
          fmt::format("  {:<18} {:.17g} s\n", "period T", phase.period) +
-         angle_line("total", phase.total) + angle_line("dynamic, 2 E T/|L|", phase.dynamic) +
+         angle_line("total", phase.total) +
+         angle_line(is_rigid ? "dynamic, 2 E T/|L|" : "dynamic", phase.dynamic) +
          angle_line("geometric", phase.geometric());
 }
 
@@ -123,7 +124,7 @@ std::string text(const Described& described) {
       "{}{}",
       mesh ? "mesh" : "scene", text::escape(name), mesh ? mesh_lines(*mesh) : "", mass,
       row(body.centre_of_mass), matrix(body.inertia), row(body.moments), matrix(body.axes),
-      predictions(body, is_rigid), turn ? turn_lines(*turn) : "");
+      predictions(body, is_rigid), turn ? turn_lines(*turn, is_rigid) : "");
 }
 
 nlohmann::ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
