@@ -32,7 +32,7 @@ const own = {
 /** @type {Record<ControlName, Control>} */
 export const controls = {
   time: {
-    label: 'time',
+    label: 'timeOfFigure',
     range: ({ store: { state } }) => [state.from, state.from + state.length],
     value: ({ store }) => Number(store.state.t.toPrecision(4)),
     set: ({ store }, t) => seek(store, t),

@@ -20,6 +20,7 @@ import { isOfTime, numberText, pulls } from './numbers.js';
 /** @import { State } from '../app/types' */
 /** @import { FigureDescription } from './types' */
 
+const zoomOfSeveral = 0.88; // leaves room for the names above the arrows
 const axisNames = ['least', 'middle', 'greatest'];
 
 export class Figure {
@@ -67,6 +68,7 @@ export class Figure {
       compare,
       methods,
       moments,
+      view: [0, 0, this.axes.length > 1 ? zoomOfSeveral : 1],
       omega: this.body.spun(1, this.description.push ?? 0),
       step: Number((this.value / this.body.rate).toPrecision(2)), // the value is an angle in rad
       length: flips * interval,
@@ -85,6 +87,7 @@ export class Figure {
     this.element.append(views);
     const pictures = new Pictures(store, app.data, player, runs, app.core, app.graphics, boxes);
     for (const view of pictures.views) view.wheelZooms = false;
+    pictures.follow();
     return pictures;
   }
 
