@@ -4,7 +4,7 @@
 # the core cross-compiled for that architecture in Debian 13 and tested in an emulator. Default: all
 # of them.
 #
-# In each suite root runs scripts/render.sh in an installation of Debian's minimal base only; then a
+# In each suite root runs scripts/render.sh and writes a page in an installation of Debian's minimal base only; then a
 # user with sudo runs scripts/test.sh. With --commands that is all. Without it, the user also runs the
 # rendering tests with EGL only, scripts/render.sh, and scripts/package.sh, whose packages
 # scripts/try_packages.sh then tries. The committed sources (HEAD) are tested. Takes about half an hour
@@ -64,7 +64,7 @@ try_commands() {
   say "$1: scripts/render.sh as root, in a bare installation"
   make_root "$2" "$1"
   put_sources "$2"
-  timed "$2.render.log" "$2" root "scripts/render.sh"
+  timed "$2.render.log" "$2" root "scripts/render.sh && build/release/bin/twrench page -o out/flip.html"
   film=$took
 
   say "$1: scripts/test.sh as a user with sudo"
