@@ -51,12 +51,15 @@ export class Player {
   }
 }
 
+/** The greatest time in s, as in scene files. */
+export const longestTime = 1e15;
+
 /**
  * Goes to the time t, and shifts the timeline by whole multiples of its length if necessary.
  * @param {import("./state.js").Store} store @param {number} t
  */
 export function seek(store, t) {
-  const now = clamp(t, 0, 1e9);
+  const now = clamp(t, 0, longestTime);
   store.set({ t: now, from: pageOf({ ...store.state, t: now }) });
 }
 

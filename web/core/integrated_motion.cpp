@@ -11,6 +11,7 @@
 #include "base/require.h"
 #include "motion/energy_contours.h"
 #include "motion/scheme.h"
+#include "scene/limits.h"
 
 namespace twrench::page {
 namespace {
@@ -25,7 +26,7 @@ const motion::Method& taylor() {
 
 /// Returns the longest time in s: that of 100'000 rad at the greatest rate.
 double longest_of(const motion::FreeBody& body) {
-  constexpr double most_radians = 1e5, most_seconds = 1e9;
+  constexpr double most_radians = 1e5, most_seconds = scene::limits::duration.high;
   const double rate = body.fastest_rate();
   return rate > 0 ? std::min(most_radians / rate, most_seconds) : most_seconds;
 }

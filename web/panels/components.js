@@ -1,5 +1,6 @@
 // The nine components of X against time, row by row: over the timeline or, if that is too long for
 // curves, over a shorter time around the present.
+import { longestTime } from '../app/player.js';
 import { clamp } from '../math/linear.js';
 import { onDrag } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
@@ -40,7 +41,7 @@ export class Components {
     this.colors = null;
     const seekTo = (/** @type {number} */ share) => {
       const { from, to } = this.window;
-      store.set({ t: clamp(from + share * (to - from), 0, 1e9) });
+      store.set({ t: clamp(from + share * (to - from), 0, longestTime) });
     };
     onDrag(box, margin, seekTo, ['touch']); // a finger scrolls the page
   }

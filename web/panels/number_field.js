@@ -32,6 +32,15 @@ export function readNumber(input, [low, high], set, done) {
   else if (done) input.reportValidity();
 }
 
+/**
+ * A number for a text field, which has room for about eight characters. Longer numbers have a power of ten.
+ * @param {number} value @param {number} digits at most
+ */
+export function fieldText(value, digits) {
+  const short = Number(value.toPrecision(digits));
+  return Math.abs(short) >= 1e8 ? short.toExponential().replace('+', '') : String(short);
+}
+
 export class NumberField {
   /** @param {HTMLElement} box @param {NumberFieldOptions} options */
   constructor(box, options) {
@@ -99,7 +108,7 @@ export class NumberField {
     const { logarithmic } = this.options;
     this.slider.value = value === Infinity ? this.slider.max : String(logarithmic ? Math.log10(value) : value);
     if (document.activeElement === this.text) return;
-    this.text.value = value === Infinity ? '∞' : String(Number(value.toPrecision(8)));
+    this.text.value = value === Infinity ? '∞' : fieldText(value, 8);
     this.text.ariaInvalid = 'false';
     this.text.setCustomValidity('');
   }

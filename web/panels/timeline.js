@@ -1,7 +1,7 @@
 // The timeline: the present time and the flips. A slider for pointer and keyboard.
 import { onDrag } from '../app/dom.js';
 import { clamp } from '../math/linear.js';
-import { seek } from '../app/player.js';
+import { longestTime, seek } from '../app/player.js';
 import { Chart, tickStep, tickText } from './chart.js';
 import { timeUnit } from '../words/words.js';
 
@@ -23,7 +23,7 @@ export class Timeline {
     this.flipsFor = null;
     onDrag(box, margin, (share) => {
       const { from, length } = store.state;
-      store.set({ t: clamp(from + share * length, 0, 1e9) });
+      store.set({ t: clamp(from + share * length, 0, longestTime) });
     });
     box.addEventListener('keydown', (event) => this.#key(event, actions));
   }

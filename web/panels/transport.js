@@ -1,16 +1,18 @@
 // Play, pause, step, flips, speed, and the length of the timeline.
 import { byId, onClick, selectOf } from '../app/dom.js';
-import { framesPerSecond, seek } from '../app/player.js';
+import { framesPerSecond, longestTime, seek } from '../app/player.js';
 import { speedsAbout } from '../app/state.js';
 import { clamp } from '../math/linear.js';
 import { brief, decimal, duration, fillSelect, timeUnit, word } from '../words/words.js';
-import { readNumber } from './number_field.js';
+import { fieldText, readNumber } from './number_field.js';
 import { PlayButton } from './play_button.js';
 
 /** @import { MotionModel } from '../app/motion_model.js' */
 /** @import { Player } from '../app/player.js' */
 /** @import { Store } from '../app/state.js' */
 /** @import { State } from '../app/types' */
+
+const shortest = 1e-4; // s, a timeline whose times are written with a power of ten
 
 /** A speed as 4 × or 1/4 ×, or as the time that passes in a second. @param {number} speed */
 function speedText(speed) {
@@ -40,7 +42,7 @@ export class Transport {
 
   /** @param {HTMLInputElement} input @param {number} low @param {(value: number) => void} set */
   #readNumber(input, low, set) {
-    input.addEventListener('change', () => readNumber(input, [low, 1e9], set, true));
+    input.addEventListener('change', () => readNumber(input, [low, longestTime], set, true));
     input.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') input.blur();
     });
@@ -54,18 +56,18 @@ export class Transport {
 
   /** @param {number} direction 1 for the next, -1 for the previous */
   toFlip(direction) {
-    const { t } = this.store.state,
+    const { t, length } = this.store.state,
       model = this.model();
     // At a flip, go to the next one instead of staying.
-    const apart = 1e-9 * Math.max(Math.abs(t), 1);
+    const apart = 1e-9 * Math.max(t, length);
     const flip = direction > 0 ? model.nextFlip(t + apart) : model.previousFlip(t - apart);
-    if (flip !== null && flip >= 0 && flip <= 1e9) seek(this.store, flip);
+    if (flip !== null && flip >= 0 && flip <= longestTime) seek(this.store, flip);
   }
 
   /** Stretches the timeline around t. @param {number} factor */
   #stretch(factor) {
     const { from, length, t } = this.store.state;
-    const longer = clamp(length * factor, 1e-12, 1e9);
+    const longer = clamp(length * factor, 1e-12, longestTime);
     const start = Math.max(0, t - ((t - from) / length) * longer);
     this.store.set({ from: t <= longer ? 0 : start, length: longer });
   }
@@ -93,8 +95,9 @@ export class Transport {
       known = 10 - Math.floor(Math.log10(Math.max(t, 1)));
     const digits = clamp(Math.min(fine, known), 0, length < 1 ? 15 : 3),
       inUnit = clamp(5 - Math.floor(Math.log10(length / unit.length)), 0, 2);
-    if (document.activeElement !== this.time) this.time.value = t.toFixed(digits);
-    if (document.activeElement !== this.length) this.length.value = String(Number(length.toPrecision(6)));
+    if (document.activeElement !== this.time)
+      this.time.value = length < shortest ? fieldText(t, 4) : t.toFixed(digits);
+    if (document.activeElement !== this.length) this.length.value = fieldText(length, 6);
     if (this.speed.value !== String(speed)) this.#offerSpeeds();
     const count = model.flipsUntil(t),
       flips = count < 1e9 ? count : brief(count),
