@@ -2,9 +2,11 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/enumeration.h"
@@ -16,12 +18,15 @@
 #include "comparison/update.h"
 #include "interruptible.h"
 #include "module.h"
+#include "plot/check_plot.h"
 #include "scene/limits.h"
+#include "system/file.h"
 
 namespace twrench::python {
 namespace {
 
 namespace py = pybind11;
+namespace fs = std::filesystem;
 using OptionTexts = std::map<std::string, std::string>;
 
 check::Convention convention_of(const OptionTexts& texts, bool inverse,
@@ -50,13 +55,35 @@ check::Bounds bounds_of(const std::map<std::string, double>& given) {
           .energy_drift = bound("max_energy_drift")};
 }
 
-/// Returns the JSON of `twrench check`.
-std::string check_recordings(const std::vector<std::string>& files,
-                             const std::vector<double>& steps, const Eigen::Matrix3d& inertia,
-                             const std::optional<Eigen::Vector3d>& omega,
-                             std::optional<double> omega_time, bool fit, const OptionTexts& texts,
-                             bool inverse, const std::optional<Eigen::Vector4d>& offset,
-                             const std::map<std::string, double>& bounds) {
+/// The outputs of `twrench check` in its three formats.
+struct CheckReports {
+  std::string json, text, junit;
+};
+
+CheckReports reports_of(const check::CheckResult& result) {
+  return {check::check_json(result), check::check_text(result), check::check_junit(result)};
+}
+
+void draw_check(const std::string& plot, const check::CheckResult& result) {
+  std::vector<plot::JudgedCurve> curves;
+  for (const check::CheckedFile& file : result.files) {
+    curves.push_back({fs::path(file.name).filename().string(), &file.judgement});
+  }
+  plot::draw_plot(plot, plot::check_plot(curves));
+}
+
+/// Returns the reports on all files and those on each of them. `names` are the names of the files
+/// in the reports. An empty `plot` draws none.
+std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
+    const std::vector<std::string>& files, const std::vector<std::string>& names,
+    const std::vector<double>& steps, const Eigen::Matrix3d& inertia,
+    const std::optional<Eigen::Vector3d>& omega, std::optional<double> omega_time, bool fit,
+    const OptionTexts& texts, bool inverse, const std::optional<Eigen::Vector4d>& offset,
+    const std::map<std::string, double>& bounds, const std::string& plot) {
+  if (!plot.empty()) {
+    for (const std::string& file : files) system::require_not_input(plot, file);
+    plot::require_gnuplot(plot);
+  }
   for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
   check::Problem problem{.inertia = inertia};
   if (omega) problem.omega = scene::limits::check_omega("omega", *omega);
@@ -67,7 +94,15 @@ std::string check_recordings(const std::vector<std::string>& files,
   const check::Bounds most = bounds_of(bounds);
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     problem.stop = &stop;
-    return check::check_json(check::check_files(files, steps, convention, problem, most));
+    check::CheckResult result = check::check_files(files, steps, convention, problem, most);
+    for (std::size_t i = 0; i < names.size(); ++i) result.files[i].name = names[i];
+    if (!plot.empty()) draw_check(plot, result);
+    const CheckReports of_all = reports_of(result);
+    std::vector<CheckReports> of_each;
+    for (check::CheckedFile& file : result.files) {
+      of_each.push_back(reports_of({{std::move(file)}, {}}));
+    }
+    return std::pair(of_all, of_each);
   });
 }
 
@@ -86,12 +121,13 @@ comparison::Criteria criteria_of(const std::string& metric, int threshold, doubl
   return criteria;
 }
 
-/// Returns the JSON of `twrench compare`.
-std::string compare_pictures(const std::string& expected, const std::string& actual,
-                             const std::string& metric, int threshold, double share,
-                             double min_similarity, int edges,
-                             const std::vector<std::array<int, 4>>& ignored,
-                             const std::string& difference, const std::string& page, bool update) {
+/// Returns the outputs of `twrench compare` in JSON, as text and as JUnit's XML.
+std::array<std::string, 3> compare_pictures(const std::string& expected, const std::string& actual,
+                                            const std::string& metric, int threshold, double share,
+                                            double min_similarity, int edges,
+                                            const std::vector<std::array<int, 4>>& ignored,
+                                            const std::string& difference, const std::string& page,
+                                            bool update) {
   const comparison::Request request{
       expected,   actual, criteria_of(metric, threshold, share, min_similarity, edges, ignored),
       difference, page,   update};
@@ -100,16 +136,22 @@ std::string compare_pictures(const std::string& expected, const std::string& act
       if (stop) throw Stopped{};
     });
     if (const auto* frame = found.first_unreadable()) throw *frame->failure;
-    std::string json;
-    comparison::write_json(found, [&](std::string_view text) { json += text; });
+    std::array<std::string, 3> reports;
+    comparison::write_json(found, [&](std::string_view text) { reports[0] += text; });
+    comparison::write_text(found, [&](std::string_view text) { reports[1] += text; });
+    comparison::write_junit(found, [&](std::string_view text) { reports[2] += text; });
     if (update && !found.passed()) comparison::update_expected(found);
-    return json;
+    return reports;
   });
 }
 
 }  // namespace
 
 void add_checks(py::module_& module) {
+  py::class_<CheckReports>(module, "CheckReports")
+      .def_readonly("json", &CheckReports::json)
+      .def_readonly("text", &CheckReports::text)
+      .def_readonly("junit", &CheckReports::junit);
   module.def("check", &check_recordings);
   module.def("compare", &compare_pictures);
 }

@@ -214,6 +214,7 @@ void add_dynamics(py::module_& module) {
         return motion::FreeBody(inertia, omega, attitude, {wheel, energy_loss_time});
       }))
       .def_property_readonly("is_rigid", &motion::FreeBody::is_rigid)
+      .def_property_readonly("has_closed_form", &motion::ExactMotion::covers)
       .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); })
       .def("phase", &motion::phase_of, py::call_guard<py::gil_scoped_release>());
   using Flips = motion::ExactMotion::Flips;

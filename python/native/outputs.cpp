@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "film/poster.h"
@@ -126,47 +127,93 @@ std::string site_html(const std::vector<std::array<std::string, 4>>& pages) {
   return page::site_html(entries);
 }
 
-/// Returns notes.
-Texts write_report(const Scene& scene, const Scene& original, const Texts& source,
-                   const std::string& file, const std::string& author, const std::string& date,
-                   bool is_static) {
+/// A scene of a report: as it is, as its source has it, and the source as words of a command: its
+/// name and, if it is a mesh, the options of the mesh.
+using ReportedScene = std::tuple<Scene, Scene, Texts>;
+
+/// Appends the options, each a pair of words, that are not among `words` yet.
+void append_missing(Texts& words, const Texts& options) {
+  for (std::size_t i = 0; i + 1 < options.size(); i += 2) {
+    if (std::ranges::find(words, options[i]) != words.end()) continue;
+    words.insert(words.end(), {options[i], options[i + 1]});
+  }
+}
+
+report::Experiment experiment_of(const ReportedScene& reported, const std::atomic<bool>& stop) {
+  const auto& [scene, original, source] = reported;
+  Scene solved = scene;
+  solved.motion.control.stop = &stop;
+  Texts words = source;
+  words.front() = report::argument_of(words.front());
+  return {solved, report::commands_of(scene, words, body_options(original, scene),
+                                      options_between(original, scene,
+                                                      {"omega", "attitude", "wheel",
+                                                       "energy_loss_time", "duration"}))};
+}
+
+/// How a report is written.
+struct ReportOptions {
+  std::string file, author, date;
+  bool is_static;
+  /// Whether it solves the tasks of the course, whose scenes no word of the command names.
+  bool solves_tasks;
+};
+
+/// The command that writes the report.
+Texts report_command(const std::vector<ReportedScene>& scenes, const ReportOptions& options) {
+  Texts command{"twrench", "report"};
+  if (!options.solves_tasks) {
+    for (const auto& [scene, original, source] : scenes) {
+      command.push_back(report::argument_of(source.front()));
+    }
+  }
+  for (const auto& [scene, original, source] : scenes) {
+    append_missing(command, Texts(source.begin() + 1, source.end()));
+  }
+  for (const auto& [scene, original, source] : scenes) {
+    append_missing(command, body_options(original, scene));
+  }
+  for (const auto& [scene, original, source] : scenes) {
+    append_missing(command,
+                   options_between(original, scene,
+                                   {"omega", "attitude", "wheel", "energy_loss_time", "method",
+                                    "step", "tolerance", "duration", "fps", "speed"}));
+  }
+  if (!options.author.empty()) command.insert(command.end(), {"--author", options.author});
+  if (!options.date.empty()) command.insert(command.end(), {"--date", options.date});
+  if (options.is_static) command.emplace_back("--static");
+  command.insert(command.end(), {"-o", report::argument_of(options.file)});
+  return command;
+}
+
+/// Writes a report on at least one scene, and returns notes.
+Texts write_report(const std::vector<ReportedScene>& scenes, const std::string& file,
+                   const std::string& author, const std::string& date, bool is_static,
+                   bool solves_tasks) {
   const bool interactive = !report::is_markdown(file) && !is_static;
   plot::require_gnuplot("figure.svg");
   return run_interruptibly([&](const std::atomic<bool>& stop) {
-    Scene solved = scene;
-    solved.motion.control.stop = &stop;
-    Texts words = source;
-    words.front() = report::argument_of(words.front());
-    const Texts of_body = body_options(original, scene);
-    const std::vector<report::Experiment> experiments{
-        {solved, report::commands_of(scene, words, of_body,
-                                     options_between(original, scene,
-                                                     {"omega", "attitude", "wheel",
-                                                      "energy_loss_time", "duration"}))}};
-    Texts command{"twrench", "report"};
-    command.insert(command.end(), words.begin(), words.end());
-    const Texts of_motion =
-        options_between(original, scene,
-                        {"omega", "attitude", "wheel", "energy_loss_time", "method", "step",
-                         "tolerance", "duration", "fps", "speed"});
-    command.insert(command.end(), of_body.begin(), of_body.end());
-    command.insert(command.end(), of_motion.begin(), of_motion.end());
-    if (!author.empty()) command.insert(command.end(), {"--author", author});
-    if (!date.empty()) command.insert(command.end(), {"--date", date});
-    if (is_static) command.emplace_back("--static");
-    command.insert(command.end(), {"-o", report::argument_of(file)});
+    std::vector<report::Experiment> experiments;
+    for (const ReportedScene& scene : scenes) experiments.push_back(experiment_of(scene, stop));
     std::optional<report::Viewer> viewer;
     Texts notes;
     if (interactive) {
-      ScenePage page = page_of(scene, original, words.front(),
+      const auto& [scene, original, source] = scenes.front();
+      ScenePage page = page_of(scene, original, report::argument_of(source.front()),
                                Texts(source.begin() + 1, source.end()), {}, false, stop);
       notes = page.page.notes;
       viewer = {std::move(page.page.html), std::move(page.policy), std::move(page.poster)};
     }
     const report::Document document{
-        scene.shown_title(),        text::escape(author),
-        text::escape(date),         text::escape(system::shell_command(command)),
-        "twrench " TWRENCH_VERSION, report::report_on_motions(experiments)};
+        scenes.size() > 1 ? "The motion of a free rigid body"
+                          : experiments.front().scene.shown_title(),
+        text::escape(author),
+        text::escape(date),
+        text::escape(system::shell_command(
+            report_command(scenes, {file, author, date, is_static, solves_tasks}))),
+        "twrench " TWRENCH_VERSION,
+        solves_tasks ? report::report_on_tasks(experiments, report::task_commands())
+                     : report::report_on_motions(experiments)};
     report::write_report(file, document, viewer ? &*viewer : nullptr);
     return notes;
   });
@@ -202,20 +249,21 @@ plot::AttitudeCurve curve_of(const Scene& scene) {
   });
 }
 
-plot::Plot plot_of(const Scene& scene, bool overlay) {
-  const std::vector<plot::AttitudeCurve> curves{curve_of(scene)};
+plot::Plot plot_of(const std::vector<Scene>& scenes, bool overlay) {
+  std::vector<plot::AttitudeCurve> curves;
+  for (const Scene& scene : scenes) curves.push_back(curve_of(scene));
   return overlay ? plot::column_panels(curves) : plot::nine_panels(curves);
 }
 
-void draw_plot(const Scene& scene, const std::string& file, bool overlay) {
+void draw_plot(const std::vector<Scene>& scenes, const std::string& file, bool overlay) {
   plot::require_gnuplot(file);
-  const plot::Plot plot = plot_of(scene, overlay);
+  const plot::Plot plot = plot_of(scenes, overlay);
   run_interruptibly([&](const std::atomic<bool>&) { plot::draw_plot(file, plot); });
 }
 
 std::string plot_svg(const Scene& scene, bool overlay) {
   plot::require_gnuplot("plot.svg");
-  const plot::Plot plot = plot_of(scene, overlay);
+  const plot::Plot plot = plot_of({scene}, overlay);
   return run_interruptibly([&](const std::atomic<bool>&) { return plot::svg(plot); });
 }
 

@@ -18,6 +18,7 @@
 #include "scene/limits.h"
 #include "system/file.h"
 #include "video/encode_frames.h"
+#include "video/shard.h"
 
 namespace twrench::python {
 namespace {
@@ -50,7 +51,9 @@ film::ProgressCallback progress_for(const py::object& callback, const std::atomi
 std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& video,
                    const std::optional<std::string>& container, bool chapters,
                    const std::optional<fs::path>& frames_folder, const std::string& range,
-                   const std::string& existing, std::optional<int> jobs, const std::string& backend,
+                   const std::optional<std::string>& shard, const std::string& existing,
+                   std::optional<int> jobs, const std::string& backend,
+                   const std::optional<std::string>& egl_device,
                    const std::vector<fs::path>& inputs, const py::object& progress) {
   film::RenderSettings settings;
   settings.frames_folder = frames_folder;
@@ -61,11 +64,12 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
     for (const fs::path& input : inputs) system::require_not_input(*video, input);
   }
   settings.range = range;
+  if (shard) settings.shard = video::parse_shard(*shard);
   settings.reuse = existing == "resume"      ? film::Reuse::resume
                    : existing == "overwrite" ? film::Reuse::overwrite
                                              : film::Reuse::none;
   if (jobs) settings.jobs = *jobs;
-  settings.backend.backend = gl::backend_named(backend);
+  settings.backend = {gl::backend_named(backend), egl_device};
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     settings.stop = &stop;
     film::RenderJob job(scene, settings);

@@ -1,28 +1,39 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <twrench/base/error.h>
 #include <twrench/study/study.h>
+
+#include <algorithm>
 
 #include "interruptible.h"
 #include "module.h"
+#include "plot/study_plot.h"
 
 namespace twrench::python {
 namespace {
 
 namespace py = pybind11;
 
+/// An empty `plot` draws none.
 study::Study run_study(const motion::FreeBody& body, const std::vector<std::string>& methods,
                        const std::vector<double>& steps, const std::vector<double>& tolerances,
-                       double duration) {
+                       double duration, const std::string& plot) {
+  if (!plot.empty()) plot::require_gnuplot(plot);
   study::StudyPlan plan;
   for (const std::string& name : methods) {
     plan.methods.push_back(&motion::find_method(name, "methods"));
+  }
+  if (!plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
+    throw InvalidArgument("plot", "the exact method alone has no steps to plot");
   }
   plan.steps = steps;
   plan.tolerances = tolerances;
   plan.duration = duration;
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     plan.stop = &stop;
-    return study::run_study(body, plan);
+    study::Study study = study::run_study(body, plan);
+    if (!plot.empty()) plot::draw_plot(plot, plot::study_plot(study));
+    return study;
   });
 }
 

@@ -34,6 +34,7 @@ from .motion import (
 )
 from .published import case, cases
 from .scene import Scene, scenes, schema
+from .several import plot, report
 from .site import pages
 from .solids import Box, Capsule, Cone, Cylinder, Ellipsoid, Mesh, Part, Sphere, Torus, Tube
 from .study import MethodStudy, Study, StudyRun, study
@@ -86,7 +87,9 @@ __all__ = [
     "first_flip_times",
     "methods",
     "pages",
+    "plot",
     "plots",
+    "report",
     "scenes",
     "schema",
     "simulate",

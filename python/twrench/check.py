@@ -24,9 +24,9 @@ __all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "check"]
 
 FrameSource = Literal["first", "momentum"]
 RateAxes = Literal["body", "space"]
-TimeUnit = Literal["s", "ms", "us", "min"]
+TimeUnit = Literal["s", "ms", "us", "ns", "min", "h"]
 RateUnit = Literal["rad", "deg", "rev", "rpm"]
-AngleUnit = Literal["rad", "deg", "rev"]
+AngleUnit = Literal["rad", "deg"]
 Finding = Literal[
     "exact", "noise", "convention", "start", "body", "law", "inconsistent", "integration"
 ]
@@ -79,6 +79,10 @@ class Check:
     condition: float
     #: The complete output of ``twrench check --format json``.
     details: dict[str, Any] = field(repr=False)
+    #: The report for people, as ``twrench check`` prints it.
+    text: str = field(repr=False)
+    #: The report in JUnit's XML, as ``--format junit`` prints it, for continuous integration.
+    junit: str = field(repr=False)
 
 
 @dataclass(frozen=True)
@@ -101,6 +105,10 @@ class Checks:
     files: list[Check]
     #: The order of the method that computed them.
     order: CheckOrder
+    #: The report on all of them for people, as ``twrench check`` prints it.
+    text: str = field(repr=False)
+    #: The report in JUnit's XML, with a suite for each recording.
+    junit: str = field(repr=False)
 
     @property
     def passes(self) -> bool:
@@ -131,6 +139,7 @@ def check(
     max_attitude_error: float | None = ...,
     max_rate_error: float | None = ...,
     max_energy_drift: float | None = ...,
+    plot: StrPath | None = ...,
 ) -> Check: ...
 
 
@@ -157,6 +166,7 @@ def check(
     max_attitude_error: float | None = ...,
     max_rate_error: float | None = ...,
     max_energy_drift: float | None = ...,
+    plot: StrPath | None = ...,
 ) -> Checks: ...
 
 
@@ -182,6 +192,7 @@ def check(
     max_attitude_error: float | None = None,
     max_rate_error: float | None = None,
     max_energy_drift: float | None = None,
+    plot: StrPath | None = None,
 ) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
@@ -213,8 +224,11 @@ def check(
         they alone determine the verdict.
     :param max_rate_error: bound for the error of the rates in the unit of the data.
     :param max_energy_drift: bound for the relative drift of the energy.
+    :param plot: a file, .svg, .pdf or .png, for a plot of the errors and the resolution limits
+        against time, which gnuplot draws; None for no plot.
     :raises UsageError: for a wrong argument, or data that can be read in several ways.
-    :raises FileError: if a file cannot be read or is not a table.
+    :raises FileError: if a file cannot be read or is not a table, or the plot cannot be written.
+    :raises Error: if gnuplot is needed, but is missing or fails.
     """
     inertia, start = _problem(body, case, omega)
     turn = None
@@ -248,20 +262,33 @@ def check(
     if not recordings:
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
+    figure = "" if plot is None else _arguments.path("plot", plot)
     with _files(names, recordings) as files, argument_names():
-        text = _native.check(
-            files, lengths, inertia, start, at, bool(fit), options, bool(inverse), turn, given
+        shown = [
+            name if isinstance(recording, (Motion, Mapping)) else file
+            for name, recording, file in zip(names, recordings, files)
+        ]
+        of_all, of_each = _native.check(
+            files,
+            shown,
+            lengths,
+            inertia,
+            start,
+            at,
+            bool(fit),
+            options,
+            bool(inverse),
+            turn,
+            given,
+            figure,
         )
-    found = json.loads(text)
-    documents = [found] if len(recordings) == 1 else found["files"]
-    for name, recording, document in zip(names, recordings, documents):
-        if isinstance(recording, (Motion, Mapping)):
-            document["file"] = name
-    results = [_result(document) for document in documents]
+    results = [_result(reports) for reports in of_each]
     if not isinstance(data, (list, tuple)):
         return results[0]
-    order = CheckOrder(None, None, None) if len(recordings) == 1 else CheckOrder(**found["order"])
-    return Checks(results, order)
+    order = {"rates": None, "attitude": None, "why_not": None}
+    if len(results) > 1:
+        order = json.loads(of_all.json)["order"]
+    return Checks(results, CheckOrder(**order), of_all.text, of_all.junit)
 
 
 def _problem(
@@ -313,10 +340,11 @@ def _name(name: str, value: str | None) -> str:
 def _columns_text(columns: Mapping[str, str]) -> str:
     if not isinstance(columns, Mapping):
         raise UsageError(f"columns: must be a mapping of names, not {_arguments.brief(columns)}")
-    return ",".join(
-        f'{_arguments.text("columns", ours)}="{_arguments.text("columns", theirs)}"'
+    quoted = {
+        _arguments.text("columns", ours): _arguments.text("columns", theirs).replace('"', '""')
         for ours, theirs in columns.items()
-    )
+    }
+    return ",".join(f'{ours}="{theirs}"' for ours, theirs in quoted.items())
 
 
 def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.void]:
@@ -343,7 +371,9 @@ def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.voi
     return table
 
 
-def _result(found: dict[str, Any]) -> Check:
+def _result(reports: _native.CheckReports) -> Check:
+    found = json.loads(reports.json)
+
     def size(key: str) -> ErrorSize | None:
         return None if found[key] is None else ErrorSize(**found[key])
 
@@ -360,4 +390,6 @@ def _result(found: dict[str, Any]) -> Check:
         flips=[(flip["t"], flip["exact"]) for flip in found["flips"]],
         condition=found["condition"],
         details=found,
+        text=reports.text,
+        junit=reports.junit,
     )

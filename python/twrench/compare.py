@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, Sequence
 
 from . import _arguments, _native
@@ -44,6 +44,10 @@ class Comparison:
     passed: bool
     #: The pictures in the order of their names.
     frames: list[FrameComparison]
+    #: The report for people, as ``twrench compare`` prints it.
+    text: str = field(repr=False)
+    #: The report in JUnit's XML, with a test case for each picture, for continuous integration.
+    junit: str = field(repr=False)
 
     def __bool__(self) -> bool:
         return self.passed
@@ -89,7 +93,7 @@ def compare(
             )
         areas.append([_arguments.whole("ignore", number, 0, 2**31 - 1) for number in area])
     with argument_names():
-        text = _native.compare(
+        document, text, junit = _native.compare(
             _arguments.path("expected", expected),
             _arguments.path("actual", actual),
             _arguments.text("metric", metric),
@@ -111,6 +115,7 @@ def compare(
             share=frame.get("share"),
             ssim=frame.get("ssim"),
         )
-        for frame in json.loads(text)["frames"]
+        for frame in json.loads(document)["frames"]
     ]
-    return Comparison(all(frame.outcome in ("identical", "alike") for frame in frames), frames)
+    passed = all(frame.outcome in ("identical", "alike") for frame in frames)
+    return Comparison(passed, frames, text, junit)

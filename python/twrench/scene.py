@@ -12,6 +12,7 @@ from typing import (
     Collection,
     Generic,
     Iterable,
+    Literal,
     NoReturn,
     Optional,
     Sequence,
@@ -379,25 +380,43 @@ class Scene:
         values: dict[str, Any] = json.loads(self._native.json())
         return values
 
-    def simulate(self) -> Motion:
-        """The motion at the times of the frames, by the scene's method.
+    def simulate(
+        self,
+        times: Numbers | None = None,
+        *,
+        span: Numbers | None = None,
+        fps: float | None = None,
+    ) -> Motion:
+        """The motion by the scene's method, at the times of the frames unless others are given.
 
         For a film with shots, it is the scene's own motion, at intervals of ``speed / fps``.
 
+        :param times: times in s, (n,), in any order and of either sign.
+        :param span: in place of ``times``, (start, end) in s, both of which are sampled.
+        :param fps: samples per second of ``span``; 60 unless given.
+        :raises UsageError: for a wrong argument.
         :raises MotionError: if the method fails.
         """
-        count = round(self.duration * self.fps / self.speed)
+        if times is None and span is None and fps is None:
+            times = self._own_times() if self._native.has_shots() else self.times
         return simulate(
             self.body,
             self.omega,
-            np.arange(count) * self.speed / self.fps if self._native.has_shots() else self.times,
+            times,
             self.method,
+            span=span,
+            fps=fps,
             attitude=self.attitude,
             wheel=self.wheel,
             energy_loss_time=self.energy_loss_time,
             step=self.step,
             tolerance=self.tolerance,
         )
+
+    def _own_times(self) -> Array:
+        """The times of the frames that the scene itself would have without its shots."""
+        count = round(self.duration * self.fps / self.speed)
+        return np.asarray(np.arange(count) * self.speed / self.fps, dtype=np.float64)
 
     def __copy__(self) -> Scene:
         scene = type(self).__new__(type(self))
@@ -542,16 +561,7 @@ class Scene:
         :raises FileError: if a file cannot be written.
         :raises Error: if gnuplot, which draws the figures, is missing or fails.
         """
-        file = self._output(path)
-        author, date = _arguments.text("author", author), _arguments.text("date", date)
-        source = [self._source, *_mesh_words(self._of_mesh)]
-        with argument_names():
-            notes = _native.report(
-                self._snapshot(), self._original, source, str(file), author, date, bool(static)
-            )
-        for note in notes:
-            warnings.warn(note, stacklevel=2)
-        return file
+        return write_report([self], path, author, date, static, solves_tasks=False)
 
     def export(
         self,
@@ -602,7 +612,7 @@ class Scene:
         :raises Error: if gnuplot is needed, but is missing or fails.
         """
         if path is not None:
-            _native.draw_plot(self._snapshot(), str(self._output(path)), bool(overlay))
+            _native.draw_plot([self._snapshot()], str(self._output(path)), bool(overlay))
         try:
             from matplotlib.figure import Figure
         except ImportError:
@@ -622,12 +632,14 @@ class Scene:
         *,
         frames_dir: StrPath | None = None,
         frames: str | Iterable[int] | None = None,
+        shard: tuple[int, int] | None = None,
         container: ContainerName | None = None,
         chapters: bool = True,
         resume: bool = False,
         overwrite: bool = False,
         jobs: int | None = None,
         backend: BackendName = "auto",
+        egl_device: int | Literal["software"] | None = None,
         progress: Progress | bool = True,
     ) -> Film:
         """Draws the frames and writes the film.
@@ -637,6 +649,8 @@ class Scene:
             ``background``.
         :param frames_dir: folder for the frames as PNG, with their manifest; None for only a video.
         :param frames: numbers of the frames, or a range such as ``"0-99:3"``; None for all.
+        :param shard: draw only part i of n of these frames, (i, n) with i from 1, into a folder that
+            all n parts share. There is no video; :func:`encode` makes it when all parts are drawn.
         :param container: mp4, mov, mkv, webm, gif or webp; None to choose it by the ending of ``path``.
         :param chapters: start a chapter of the video at each flip.
         :param resume: keep existing intact frames of this scene.
@@ -644,6 +658,7 @@ class Scene:
         :param jobs: number of threads that compress frames, 1 to 256; None: half the
             processors, at most 8.
         :param backend: auto, osmesa or egl.
+        :param egl_device: number of the EGL device, or "software"; None for the first usable one.
         :param progress: True shows a tqdm bar if tqdm is installed; False shows nothing. A function is
             called after each frame with the number of finished frames and of all frames; an
             exception that it raises ends the run.
@@ -660,6 +675,8 @@ class Scene:
             raise UsageError("render: give path, frames_dir or both")
         if resume and overwrite:
             raise UsageError("render: resume keeps frames and overwrite replaces them; give one")
+        if shard is not None and path is not None:
+            raise UsageError("shard: draws a part of the frames, without a video; leave out path")
         video = None if path is None else Path(_arguments.path("path", path))
         folder = None if frames_dir is None else Path(_arguments.path("frames_dir", frames_dir))
         existing = "overwrite" if overwrite else "resume" if resume else "none"
@@ -668,6 +685,8 @@ class Scene:
         selected = frame_range(frames)
         threads = None if jobs is None else _arguments.whole("jobs", jobs, 1, 256)
         drawn_by = _arguments.text("backend", backend)
+        device = _egl_device(egl_device, drawn_by)
+        part = None if shard is None else _shard(shard)
         with reporting(progress) as report:
             count = _native.render(
                 self._snapshot(),
@@ -676,17 +695,61 @@ class Scene:
                 bool(chapters),
                 folder,
                 selected,
+                part,
                 existing,
                 threads,
                 drawn_by,
+                device,
                 inputs,
                 report,
             )
         return Film(video, folder, count)
 
 
+def write_report(
+    scenes: Sequence[Scene],
+    path: StrPath,
+    author: str,
+    date: str,
+    static: bool,
+    *,
+    solves_tasks: bool,
+) -> Path:
+    """Writes a report for :meth:`Scene.report` or :func:`twrench.report`."""
+    file = [scene._output(path) for scene in scenes][0]
+    reported = [
+        (scene._snapshot(), scene._original, [scene._source, *_mesh_words(scene._of_mesh)])
+        for scene in scenes
+    ]
+    author, date = _arguments.text("author", author), _arguments.text("date", date)
+    with argument_names():
+        notes = _native.report(reported, str(file), author, date, bool(static), solves_tasks)
+    for note in notes:
+        warnings.warn(note, stacklevel=3)
+    return file
+
+
 #: Maximum number of characters of a page in a notebook, which would otherwise become too large.
 _LARGEST_PAGE = 500_000
+
+
+def _shard(shard: tuple[int, int]) -> str:
+    form = "two integers (i, n), part i of n"
+    numbers = _arguments.sequence("shard", shard, form)
+    if len(numbers) != 2:
+        raise UsageError(f"shard: must be {form}, not {_arguments.brief(shard)}")
+    count = _arguments.whole("shard", numbers[1], 1, 2**31 - 1)
+    return f"{_arguments.whole('shard', numbers[0], 1, count)}/{count}"
+
+
+def _egl_device(device: int | str | None, backend: str) -> str | None:
+    if device is None:
+        return None
+    if backend == "osmesa":
+        raise UsageError("egl_device: OSMesa has none; use backend='egl', or leave it out")
+    if isinstance(device, str):
+        return _arguments.text("egl_device", device)
+    return str(_arguments.whole("egl_device", device, 0, 2**31 - 1))
 
 
 def _mesh_words(of_mesh: dict[str, Any]) -> list[str]:

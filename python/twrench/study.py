@@ -11,7 +11,7 @@ from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
 from .motion import _free_body
-from .names import MethodName, Numbers
+from .names import Attitude, MethodName, Numbers, StrPath
 
 if TYPE_CHECKING:
     import pandas
@@ -113,13 +113,15 @@ def _run(method: str, run: _native.StudyRun) -> StudyRun:
 def study(
     body: Body,
     omega: Numbers,
-    methods: Sequence[MethodName],
+    methods: Sequence[MethodName] | None = None,
     *,
     duration: float,
     steps: Numbers = (0.08, 0.04, 0.02, 0.01),
     tolerances: Numbers = (1e-4, 1e-6, 1e-8, 1e-10),
+    attitude: Attitude | None = None,
     wheel: Numbers | None = None,
     energy_loss_time: float | None = None,
+    plot: StrPath | None = None,
 ) -> Study:
     """Runs methods over a ladder of step sizes, or tolerances, and compares them with the exact motion.
 
@@ -127,22 +129,33 @@ def study(
 
     :param body: the body.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
-    :param methods: names of methods.
+    :param methods: names of methods; None for all that can compute the motion.
     :param duration: duration of the motion in s.
     :param steps: step sizes in s of the methods with fixed steps, (n,).
     :param tolerances: error tolerances of the adaptive methods, (m,).
+    :param attitude: X(0), in any form that :func:`simulate` accepts; None for the identity.
     :param wheel: angular momentum of a wheel relative to the body, in body axes in g cm^2/s, (3,).
     :param energy_loss_time: time constant in s with which internal friction damps a small wobble
         about the axis of greatest moment; None if no energy is lost.
+    :param plot: a file, .svg, .pdf or .png, for a plot of order, work-precision and energy drift,
+        which gnuplot draws; None for no plot. :func:`plots.study` draws with Matplotlib.
     :raises UsageError: for a wrong argument. If a method fails, its run has a ``failure`` instead.
+    :raises FileError: if the plot cannot be written.
+    :raises Error: if gnuplot is needed, but is missing or fails.
     """
-    names = _arguments.sequence("methods", methods, "a list of names")
+    free_body = _free_body(body, omega, attitude, wheel, energy_loss_time)
+    if methods is None:
+        all_names = [of.name for of in _native.methods()]
+        names = [name for name in all_names if free_body.has_closed_form or name != "exact"]
+    else:
+        names = _arguments.sequence("methods", methods, "a list of names")
     result = _native.study(
-        _free_body(body, omega, None, wheel, energy_loss_time),
+        free_body,
         [_arguments.text("methods", name) for name in names],
         list(_arguments.array("steps", steps, (None,), "a one-dimensional array of steps in s")),
         list(_arguments.array("tolerances", tolerances, (None,), "a one-dimensional array")),
         _arguments.positive("duration", duration),
+        "" if plot is None else _arguments.path("plot", plot),
     )
     by_method = {
         of.method: MethodStudy(of.method, of.order, [_run(of.method, run) for run in of.runs])

@@ -9,6 +9,7 @@ import sys
 import time
 import typing
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 import pytest
@@ -276,8 +277,10 @@ def test_other_threads_may_change_a_scene_while_it_is_used(monkeypatch, function
     pytest.importorskip("matplotlib")
     used = []
 
-    def record(scene: _native.Scene, *_: object) -> None:
-        used.append(scene)
+    def record(given: Any, *_: object) -> None:
+        while isinstance(given, (list, tuple)):  # of scenes, or of scenes with their sources
+            given = given[0]
+        used.append(given)
         raise InterruptedError
 
     scene = Scene()

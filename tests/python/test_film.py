@@ -298,3 +298,33 @@ def test_two_films_at_once_in_two_threads(tmp_path):
         failures = [result.exception() for result in results if result.exception()]
     assert all(isinstance(failure, twrench.FileError) for failure in failures)
     assert len(failures) < 2 and probed_frames(tmp_path / "c.mp4") == 24
+
+
+def test_shards_draw_the_film_together(small, tmp_path):
+    folder = tmp_path / "frames"
+    for i in (1, 2, 3):
+        assert small.render(frames_dir=folder, shard=(i, 3)).frame_count == 8
+    assert twrench.encode(folder, tmp_path / "parts.mp4").frame_count == 24
+    small.render(tmp_path / "whole.mp4")
+    assert (tmp_path / "parts.mp4").read_bytes() == (tmp_path / "whole.mp4").read_bytes()
+    for shard in ((0, 3), (4, 3), (1, 2, 3), "1/3", 1, (1.0, 3), (1, 10**6)):
+        with pytest.raises(twrench.UsageError, match="^shard"):
+            small.render(frames_dir=tmp_path / "no", shard=shard)
+    with pytest.raises(twrench.UsageError, match="^shard: .* leave out path"):
+        small.render(tmp_path / "no.mp4", frames_dir=tmp_path / "no", shard=(1, 2))
+    assert not (tmp_path / "no").exists()
+
+
+def test_an_egl_device_is_chosen_by_its_number_or_as_software(small, tmp_path):
+    for device in (-1, 1.5, True):
+        with pytest.raises(twrench.UsageError, match="^egl_device"):
+            small.render(frames_dir=tmp_path / "no", egl_device=device)
+    with pytest.raises(twrench.UsageError, match="^egl_device: OSMesa has none"):
+        small.render(frames_dir=tmp_path / "no", backend="osmesa", egl_device=0)
+    with pytest.raises(twrench.Error, match="99"):
+        small.render(frames_dir=tmp_path / "no", frames=[0], egl_device=99)
+    try:
+        film = small.render(frames_dir=tmp_path / "software", frames=[0], egl_device="software")
+    except twrench.GlError:
+        return  # this machine has no EGL in software
+    assert film.frame_count == 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import math
 import re
@@ -33,6 +34,39 @@ COUNTERPARTS: dict[str, Callable[..., Any] | type] = {
     "cases": twrench.cases,
     "schema": twrench.schema,
 }
+#: Options whose arguments have another name.
+RENAMED = {"--output": "path", "--frame": "camera_frame"}
+#: Options that no argument is named after, and the reason. Some are those of one command alone.
+WITHOUT_ARGUMENT = {
+    "--help": "help() shows the documentation",
+    "--help-all": "help() shows the documentation",
+    "--inertia": "Body(inertia=...) and Body(moments=...) are bodies",
+    "--shape": "Body(shape=...)",
+    "--bare": "show=() shows only the body",
+    "--hide": "show is the set of all overlays",
+    "--no-chapters": "chapters=False",
+    "--no-video": "render writes a video if it has a path",
+    "--no-frames": "render writes frames if it has a folder",
+    "--no-fail": "check returns the verdict",
+    "--timing": "it measures the program",
+    "--all": "twrench.pages",
+    "check --scene": "body, as in check(file, Scene(...).body)",
+    "check --format": "Check has details, text and junit",
+    "check --output": "check returns the result",
+    "compare --format": "Comparison has frames, text and junit",
+    "cases --format": "case() returns the document of JSON",
+    "cases --output": "case() returns the document",
+    "inertia --format": "Body has attributes",
+    "inertia --output": "Body has attributes",
+    "schema --output": "schema() returns the schema",
+    "simulate --format": "Motion.save writes CSV, Scene.export also JSON",
+    "simulate --output": "Motion.save",
+    "study --format": "Study is data, and to_dataframe() a table",
+    "study --output": "study returns the results",
+    "study --max-error": "StudyRun.error",
+    "study --max-energy-drift": "StudyRun.energy_drift",
+    "study --max-flip-error": "StudyRun.flip_error",
+}
 #: A recording that can be checked.
 GOOD = {"t": [0, 1, 2, 3], "wx": 4 * [1], "wy": 4 * [0], "wz": 4 * [0]}
 #: Commands about the program and its machine, which have no counterpart.
@@ -44,6 +78,36 @@ def test_every_command_has_a_counterpart(program):
     commands = set(re.findall(r"^  ([a-z]+)", listed, re.MULTILINE))
     assert "render" in commands
     assert commands == set(COUNTERPARTS) | OF_THE_PROGRAM
+
+
+def options_of(program: Callable[..., str], command: str) -> set[str]:
+    text = program(command, "--help")
+    if "--help-all" in text:
+        text = program(command, "--help-all")
+    return set(re.findall(r"^  (?:-[a-z],)?(--[a-z-]+)", text, re.MULTILINE))
+
+
+def arguments_of(program: Callable[..., str], command: str) -> set[str]:
+    """The arguments of the counterpart, and those of the scene that a command reads."""
+    names = set(inspect.signature(COUNTERPARTS[command]).parameters)
+    if "[SCENE" in program(command, "--help"):
+        names |= set(inspect.signature(Scene).parameters)
+    return names
+
+
+def test_every_option_has_a_counterpart(program):
+    reasons = set()
+    for command in COUNTERPARTS:
+        options, arguments = options_of(program, command), arguments_of(program, command)
+        assert "--help" in options
+        for option in options:
+            name = option[2:].replace("-", "_")
+            if name in arguments or RENAMED.get(option) in arguments:
+                continue
+            reason = option if option in WITHOUT_ARGUMENT else f"{command} {option}"
+            assert reason in WITHOUT_ARGUMENT, f"{command} has {option}, which Python lacks"
+            reasons.add(reason)
+    assert reasons == set(WITHOUT_ARGUMENT), "a reason is for an option that has a counterpart"
 
 
 def test_the_schema_is_that_of_the_program(program):
@@ -94,6 +158,13 @@ def test_the_pages_of_all_scenes_are_those_of_the_program(program, tmp_path, tem
     assert sorted(path.name for path in tmp_path.iterdir()) == ["new", "template.html", "theirs"]
 
 
+def without_times(content: bytes) -> str:
+    """The report without the processor times, which vary: the last cells of rows, and their plot."""
+    text = content.decode()
+    text = re.sub(r"<svg.*?</svg>", lambda svg: "" if "CPU" in svg[0] else svg[0], text, flags=re.S)
+    return re.sub(r"(<td>[^<]*</td></tr>|\| [^|]* \|)$", "", text, flags=re.MULTILINE)
+
+
 @pytest.mark.parametrize("ending", ["html", "md"])
 def test_a_report_is_that_of_the_program(program, tmp_path, monkeypatch, ending):
     monkeypatch.chdir(tmp_path)
@@ -109,12 +180,6 @@ def test_a_report_is_that_of_the_program(program, tmp_path, monkeypatch, ending)
     theirs = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     assert mine.keys() == theirs.keys() and len(mine) >= (1 if ending == "html" else 2)
 
-    def without_times(content: bytes) -> str:
-        """The report without the processor times, which vary: the last cells of rows, and their plot."""
-        text = content.decode()
-        text = re.sub(r"<svg.*?</svg>", lambda svg: "" if "CPU" in svg[0] else svg[0], text, flags=re.S)
-        return re.sub(r"(<td>[^<]*</td></tr>|\| [^|]* \|)$", "", text, flags=re.MULTILINE)
-
     assert b"CPU" in mine[file] and len(without_times(mine[file])) > 0.3 * len(mine[file])
     for name, content in mine.items():
         assert without_times(content) == without_times(theirs[name])
@@ -128,6 +193,37 @@ def test_a_plot_is_that_of_the_program(program, tmp_path):
         scene.plot(mine, overlay=bool(overlay))
         program("plot", "stable-y", *overlay, "-o", theirs)
         assert mine.read_bytes() == theirs.read_bytes()
+
+
+def test_several_scenes_are_plotted_and_reported_as_by_the_program(program, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names = ["stable-y", "stable-z"]
+    assert twrench.plot("a.svg", [names[0], Scene(names[1])], overlay=True) == Path("a.svg")
+    program("plot", *names, "--overlay", "-o", "b.svg")
+    assert Path("a.svg").read_bytes() == Path("b.svg").read_bytes()
+    for scenes, words, values in (
+        (names, names, {"duration": 6, "method": "cf4"}),
+        (None, [], {}),
+    ):
+        options = [f"--{key}={value}" for key, value in values.items()]
+        twrench.report("r.md", scenes, author="A. Student", **values)
+        mine = Path("r.md").read_bytes()
+        program("report", *words, *options, "--author", "A. Student", "-o", "r.md")
+        assert without_times(mine) == without_times(Path("r.md").read_bytes())
+    assert "The sphere" in Path("r.md").read_text()  # a task of the course
+    for call, message in (
+        (lambda: twrench.plot("no.svg", []), "^scenes: must have at least one scene"),
+        (lambda: twrench.plot("no.svg", "sphere"), "^scenes: must be a list of scenes"),
+        (lambda: twrench.plot("no.svg", [3]), "^scenes: must be a path, not 3"),
+        (lambda: twrench.plot("no.txt", names), r"no.txt.*\.svg"),
+        (lambda: twrench.report("no.md", []), "^scenes: must have at least one scene"),
+        (lambda: twrench.report("no.md", names[0]), "^scenes: must be a list of names"),
+        (lambda: twrench.report("no.md", method="rk4"), "^method: is for scenes, and the tasks"),
+        (lambda: twrench.report("no.md", names, sise=3), "sise"),
+    ):
+        with pytest.raises(twrench.UsageError, match=message):
+            call()
+    assert not list(tmp_path.glob("no*"))
 
 
 def test_a_plot_is_a_figure_or_else_the_text_of_a_drawing(monkeypatch):
@@ -152,6 +248,8 @@ def test_a_check_is_that_of_the_program(program, tmp_path):
     assert found.details == json.loads(program("check", *options))
     assert not found.passes and found.finding == "integration" and found.rows == 201
     assert found.rates is not None and found.rates.max_error > 1e-6 and found.rates.unit == "rad/s"
+    assert found.text == program("check", *options[:-2])
+    assert found.junit == program("check", *options[:-1], "junit")
     bound = twrench.check(file, body, max_rate_error=1)
     assert bound.passes
     assert bound.details == json.loads(program("check", *options, "--max-rate-error", 1))
@@ -169,6 +267,9 @@ def test_the_order_of_several_recordings_is_that_of_the_program(program, tmp_pat
     expected = json.loads(program("check", *files, *options))
     found = twrench.check(files, body)
     assert isinstance(found, twrench.Checks) and not found.passes
+    assert found.text == program("check", *files, *options[:-2])
+    assert found.junit == program("check", *files, *options[:-1], "junit")
+    assert found.files[1].text == twrench.check(files[1], body).text
     assert [of.details for of in found.files] == expected["files"]
     assert vars(found.order) == expected["order"]
     assert found.order.rates == pytest.approx(4, abs=0.1) and found.order.why_not is None
@@ -176,6 +277,7 @@ def test_the_order_of_several_recordings_is_that_of_the_program(program, tmp_pat
         of_arrays = twrench.check(mixed, body)
         assert of_arrays.order.attitude == pytest.approx(found.order.attitude, rel=1e-6)
     assert [of.details["file"] for of in of_arrays.files] == [str(files[0]), "data[1]", str(files[2])]
+    assert "data[1]" in of_arrays.text and 'testsuite name="data[1]"' in of_arrays.junit
     doubled = twrench.check(files, body, steps=[0.4, 0.2, 0.1], max_rate_error=1)
     assert doubled.passes and doubled.order.rates == pytest.approx(found.order.rates)
     assert [of.details["step"] for of in doubled.files] == [0.4, 0.2, 0.1]
@@ -183,6 +285,45 @@ def test_the_order_of_several_recordings_is_that_of_the_program(program, tmp_pat
     assert same.order.rates is None and "same time between rows" in same.order.why_not
     (alone,) = twrench.check([motions[0]], body).files
     assert alone.rates == twrench.check(motions[0], body).rates
+
+
+def test_plots_of_checks_and_studies_are_those_of_the_program(program, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    body = twrench.Body(moments=[2, 3, 4])
+    motion = twrench.simulate(body, [0.1, 1, 0.2], np.linspace(0, 20, 201), "rk4", step=0.02)
+    file = motion.save("run.csv")
+    twrench.check(file, body, plot="mine.svg")
+    program("check", file, "--inertia", "2,3,4", "--no-fail", "--plot", "theirs.svg")
+    assert Path("mine.svg").read_bytes() == Path("theirs.svg").read_bytes()
+    twrench.check([file, motion], body, plot="both.svg")
+    assert "data[1]" in Path("both.svg").read_text()
+    twrench.study(body, [0.1, 1, 0.2], ["rk4", "exact"], duration=5, plot="study.svg")
+    assert ">rk4<" in Path("study.svg").read_text()
+    with pytest.raises(twrench.UsageError, match="^plot: the exact method alone"):
+        twrench.study(body, [0.1, 1, 0.2], ["exact"], duration=5, plot="no.svg")
+    with pytest.raises(twrench.UsageError, match=r"no.txt.*\.svg"):
+        twrench.study(body, [0.1, 1, 0.2], duration=5, plot="no.txt")
+    with pytest.raises(twrench.UsageError, match=r"no.txt.*\.svg"):
+        twrench.check(motion, body, plot="no.txt")
+    with pytest.raises(twrench.FileError, match="run.csv"):
+        twrench.check(file, body, plot=file)
+    assert not list(tmp_path.glob("no.*"))
+
+
+def test_a_study_has_all_methods_that_can_compute_the_motion():
+    body, omega, ladder = twrench.Body(moments=[1, 2, 3]), [0.1, 1, 0], {"steps": [0.1, 0.05]}
+    names = [method.name for method in twrench.methods()]
+    study = twrench.study(body, omega, duration=1, tolerances=[1e-6], **ladder)
+    assert list(study.methods) == names
+    damped = twrench.study(
+        body, omega, duration=1, tolerances=[1e-6], energy_loss_time=5, **ladder
+    )
+    assert list(damped.methods) == [name for name in names if name != "exact"]
+    turned = twrench.study(
+        body, omega, ["rkmk4"], duration=1, attitude=[0.5, 0.5, 0.5, 0.5], **ladder
+    )
+    plain = study.methods["rkmk4"].runs[0].error
+    assert turned.methods["rkmk4"].runs[0].error == pytest.approx(plain, rel=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -254,7 +395,7 @@ def test_files_that_cannot_be_checked(tmp_path):
         twrench.check(tmp_path / "none.csv")
 
 
-def test_a_comparison_is_that_of_the_program(small, tmp_path):
+def test_a_comparison_is_that_of_the_program(small, program, tmp_path):
     a, b = tmp_path / "a.png", tmp_path / "b.png"
     a.write_bytes(small.png(3))
     b.write_bytes(small.png(4))
@@ -267,6 +408,9 @@ def test_a_comparison_is_that_of_the_program(small, tmp_path):
     assert frame.mean_difference == pytest.approx(difference.mean())
     assert frame.share == pytest.approx((difference.max(axis=2) > 0).mean())
     assert (tmp_path / "d.png").read_bytes().startswith(b"\x89PNG")
+    assert found.text.startswith("different") and "b.png" in found.junit
+    assert twrench.compare(a, a).text == program("compare", a, a)
+    assert twrench.compare(a, a).junit == program("compare", a, a, "--format", "junit")
     assert "<html" in (tmp_path / "r.html").read_text()
     assert twrench.compare(a, b, share=1)
     assert twrench.compare(a, b, metric="ssim", min_ssim=-1).frames[0].ssim is not None

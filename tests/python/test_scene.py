@@ -402,3 +402,16 @@ def test_what_the_file_of_a_mesh_does_not_say(tmp_path):
         with pytest.raises(twrench.Error, match=message) as error:
             Scene(source, **values)
         assert "\n" not in str(error.value)
+
+
+def test_a_scene_is_simulated_at_other_times():
+    scene = Scene("stable-y", method="rkmk4", step=0.02)
+    times = [3.0, -1.0, 0.5]
+    motion = scene.simulate(times)
+    same = twrench.simulate(scene.body, scene.omega, times, "rkmk4", step=0.02)
+    assert motion.method == "rkmk4" and motion.t.tolist() == times
+    assert (motion.X == same.X).all() and (motion.omega == same.omega).all()
+    assert scene.simulate(span=(0, 1), fps=4).t.tolist() == [0, 0.25, 0.5, 0.75, 1]
+    assert (scene.simulate().t == scene.times).all()
+    with pytest.raises(twrench.UsageError, match="^times: must be given, or a span"):
+        scene.simulate(fps=4)
