@@ -730,7 +730,7 @@ def write_report(
 
 
 #: Maximum number of characters of a page in a notebook, which would otherwise become too large.
-_LARGEST_PAGE = 500_000
+_LARGEST_PAGE = 1_000_000
 
 
 def _shard(shard: tuple[int, int]) -> str:

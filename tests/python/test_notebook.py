@@ -7,6 +7,8 @@ import re
 import sys
 import types
 
+import pytest
+
 import twrench
 from twrench import Scene
 
@@ -18,15 +20,20 @@ def test_a_scene_shows_its_page_in_a_sandboxed_frame(small, monkeypatch):
     assert re.match(r'<iframe sandbox="allow-scripts" ', shown)
     assert html.unescape(re.search('srcdoc="([^"]*)"', shown)[1]) == page
     assert "allow-same-origin" not in shown
-    page = "x" * 500_001
+    page = "x" * 1_000_001
     assert small._repr_html_() is None
 
 
-def test_the_page_of_a_notebook_is_offline_and_small(small):
-    shown = small._repr_html_()
-    if shown is None:  # this build has no page
-        return
-    assert len(shown) < 500_000
+@pytest.mark.parametrize("name", twrench.scenes())
+def test_the_page_of_a_notebook_is_offline_and_small(tmp_path, name):
+    try:
+        Scene().page(tmp_path / "page.html")
+    except twrench.FileError:
+        pytest.skip("this build has no page")
+    shown = Scene(name)._repr_html_()
+    if shown is None:
+        pytest.fail(f"{name} is shown as a picture")
+    assert len(shown) < 1_000_000
     assert "default-src 'none'" in html.unescape(shown)
 
 
