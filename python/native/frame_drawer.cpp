@@ -35,11 +35,7 @@ FrameDrawer::FrameDrawer(scene::Scene scene, gl::BackendChoice backend)
 FrameDrawer::~FrameDrawer() {
   if (!thread_.joinable()) return;
   tasks_.close();
-  if (::getpid() == process_) {
-    thread_.join();
-  } else {
-    thread_.detach();  // a forked process does not have the thread
-  }
+  thread_.join();
 }
 
 image::Image FrameDrawer::draw(int frame) {

@@ -28,6 +28,14 @@ class FrameDrawer {
   /// neither threads nor OpenGL survive a fork.
   image::Image draw(int frame);
 
+  /// Deletes a drawer, except in a forked process, which lacks its thread: joining it would fail,
+  /// and destroying what it waits for would wait for it forever.
+  struct Deleter {
+    void operator()(FrameDrawer* drawer) const {
+      if (::getpid() == drawer->process_) delete drawer;
+    }
+  };
+
  private:
   class Canvas;
   using Task = std::packaged_task<image::Image(Canvas&)>;

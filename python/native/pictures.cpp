@@ -134,10 +134,10 @@ image::Image draw(FrameDrawer& drawer, int frame) {
 }  // namespace
 
 void add_pictures(py::module_& module) {
-  py::class_<FrameDrawer>(module, "FrameDrawer")
+  using Drawer = std::unique_ptr<FrameDrawer, FrameDrawer::Deleter>;
+  py::class_<FrameDrawer, Drawer>(module, "FrameDrawer")
       .def(py::init([](const scene::Scene& scene, const std::string& backend) {
-        return std::make_unique<FrameDrawer>(scene,
-                                             gl::BackendChoice{gl::backend_named(backend), {}});
+        return Drawer(new FrameDrawer(scene, gl::BackendChoice{gl::backend_named(backend), {}}));
       }))
       .def("frame", [](FrameDrawer& drawer, int frame) { return to_array(draw(drawer, frame)); })
       .def("png", [](FrameDrawer& drawer, int frame) {

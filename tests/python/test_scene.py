@@ -5,6 +5,7 @@ import json
 import math
 import pickle
 import os
+import signal
 import sys
 import subprocess
 import threading
@@ -326,6 +327,17 @@ def test_a_forked_process_cannot_draw(small, is_new):
     assert os.waitpid(child, 0)[1] == 0
 
 
+def test_a_forked_process_may_drop_the_pictures_of_its_parent(small):
+    small.frame(0)
+    child = os.fork()
+    if child == 0:
+        signal.alarm(60)  # ends the process if it waits for the drawing thread, which it lacks
+        small.theme = "paper"
+        os._exit(0)
+    assert os.waitpid(child, 0)[1] == 0
+    assert small.frame(0).shape == (90, 160, 3)
+
+
 def test_no_opengl_is_opened_before_a_picture_is_asked_for():
     code = (
         "import twrench; s = twrench.Scene(size=(64, 48)); s.simulate(); s.frame_count; repr(s); s.body\n"
@@ -415,3 +427,5 @@ def test_a_scene_is_simulated_at_other_times():
     assert (scene.simulate().t == scene.times).all()
     with pytest.raises(twrench.UsageError, match="^times: must be given, or a span"):
         scene.simulate(fps=4)
+    with pytest.raises(SceneError, match="film: it would have"):
+        Scene(fps=1000, duration=1e12, speed=1e-3).simulate()
