@@ -19,6 +19,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "motion/phase.h"
+#include "pickling.h"
 #include "scene/limits.h"
 
 namespace twrench::python {
@@ -213,6 +214,8 @@ void add_dynamics(py::module_& module) {
                        const Vector3d& wheel, double energy_loss_time) {
         return motion::FreeBody(inertia, omega, attitude, {wheel, energy_loss_time});
       }))
+      .def(py::pickle([](const motion::FreeBody& b) -> py::object { return state_of(b); },
+                      &free_body_with))
       .def_property_readonly("is_rigid", &motion::FreeBody::is_rigid)
       .def_property_readonly("has_closed_form", &motion::ExactMotion::covers)
       .def_property_readonly("momentum", [](const motion::FreeBody& b) { return b.momentum(); })

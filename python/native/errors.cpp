@@ -10,6 +10,7 @@
 #include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/error.h"
+#include "text/escape.h"
 #include "video/error.h"
 
 namespace twrench::python {
@@ -81,11 +82,9 @@ const char* type_of(const Error& error) {
   return "Error";
 }
 
-/// A text as Python's str; bytes that are not UTF-8, which a path may have, are escaped.
-py::str to_str(const std::string& text) {
-  return py::reinterpret_steal<py::str>(
-      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace"));
-}
+/// A text as Python's str on one line; bytes that are not UTF-8, which a path may have, are
+/// escaped.
+py::str to_str(const std::string& text) { return {text::escape(text)}; }
 
 void set_exception(const char* type, const std::string& message, const std::string& remedy) {
   const py::object exception = py::module_::import("twrench.errors").attr(type);

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/enumeration.h"
@@ -331,6 +332,19 @@ Body body_with(const py::object& state) {
     const scene::Body description = Reader().body(state.cast<py::tuple>());
     const body::MassProperties properties = scene::mass_properties(description);
     return Body{description, properties};
+  });
+}
+
+py::tuple state_of(const motion::FreeBody& body) {
+  const auto& [wheel, energy_loss_time] = body.interior();
+  return py::make_tuple(body.inertia(), body.omega(), body.attitude(), wheel, energy_loss_time);
+}
+
+motion::FreeBody free_body_with(const py::object& state) {
+  return read_whole("motion", [&] {
+    using State = std::tuple<Matrix3d, Vector3d, Matrix3d, Vector3d, double>;
+    const auto [inertia, omega, attitude, wheel, energy_loss_time] = state.cast<State>();
+    return motion::FreeBody(inertia, omega, attitude, {wheel, energy_loss_time});
   });
 }
 

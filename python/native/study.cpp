@@ -8,6 +8,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "plot/study_plot.h"
+#include "scene/limits.h"
 
 namespace twrench::python {
 namespace {
@@ -25,6 +26,11 @@ study::Study run_study(const motion::FreeBody& body, const std::vector<std::stri
   }
   if (!plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("plot", "the exact method alone has no steps to plot");
+  }
+  if (plan.methods.empty()) throw InvalidArgument("methods", "there must be one at least");
+  for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
+  for (const double tolerance : tolerances) {
+    scene::limits::check(scene::limits::tolerance, "tolerances", tolerance);
   }
   plan.steps = steps;
   plan.tolerances = tolerances;

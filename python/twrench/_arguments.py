@@ -45,7 +45,8 @@ def array(name: str, value: ArrayLike, shape: tuple[int | None, ...], form: str)
         raise refused
     if given.size > MOST_NUMBERS:  # before a copy of a repeated array fills the memory
         raise UsageError(f"{name}: has {given.size} numbers, the limit is {MOST_NUMBERS}")
-    result = np.array(given, dtype=np.float64, order="C")
+    with np.errstate(over="ignore"):  # an infinity is refused below
+        result = np.array(given, dtype=np.float64, order="C")
     if not np.isfinite(result).all():
         raise UsageError(f"{name}: must be finite, but has a NaN or an infinity")
     return result
@@ -92,7 +93,7 @@ def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: float | N
 
 
 def _span_times(span: ArrayLike, fps: float) -> Array:
-    start, end = array("span", span, (2,), "two times in s, (start, end)")
+    start, end = array("span", span, (2,), "two times in s, (start, end)").tolist()
     if not start < end:
         raise UsageError(f"span: must end after it starts, not {brief(span)}")
     most = MOST_NUMBERS // 3

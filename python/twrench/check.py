@@ -319,7 +319,7 @@ def _files(names: list[str], recordings: Sequence[Any]) -> Iterator[list[str]]:
         for i, (name, recording) in enumerate(zip(names, recordings)):
             if isinstance(recording, (Motion, Mapping)):
                 files.append(str(Path(folder) / f"{i}.npy"))
-                np.save(files[i], _table_of(name, recording))
+                _write_table(files[i], _table_of(name, recording))
             else:
                 files.append(_arguments.path(name, recording))
         try:
@@ -350,6 +350,11 @@ def _columns_text(columns: Mapping[str, str]) -> str:
 def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.void]:
     """The columns as a structured array of NumPy."""
     if isinstance(data, Motion):
+        if not data._free_body.is_rigid:
+            raise UsageError(
+                f"{name}: a check needs the closed form of a rigid body's motion",
+                "use a body without a wheel and energy loss",
+            )
         columns = {"t": data.t}
         for i in range(3):
             columns |= {f"x{i + 1}{j + 1}": data.X[:, i, j] for j in range(3)}
@@ -362,6 +367,8 @@ def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.voi
             _arguments.text(name, key): _arguments.array(f"{name}[{key!r}]", value, (None,), form)
             for key, value in data.items()
         }
+    if "" in columns:
+        raise UsageError(f"{name}: has a column without a name")
     lengths = {len(column) for column in columns.values()}
     if len(lengths) != 1:
         raise UsageError(f"{name}: must have columns of the same length")
@@ -369,6 +376,12 @@ def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.voi
     for key, column in columns.items():
         table[key] = column
     return table
+
+
+def _write_table(path: str, table: NDArray[np.void]) -> None:
+    write: Any = np.lib.format.write_array  # which some versions of NumPy leave untyped
+    with open(path, "wb") as file:
+        write(file, table, version=(3, 0))  # the version that allows all names of columns
 
 
 def _result(reports: _native.CheckReports) -> Check:

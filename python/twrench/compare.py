@@ -85,6 +85,10 @@ def compare(
     :raises UsageError: for a wrong argument, or a file compared with a folder.
     :raises FileError: if a picture cannot be read, or a file cannot be written.
     """
+    if metric == "ssim" and share != 0:
+        raise UsageError("share: bounds the metric 'share', but 'ssim' decides; use min_ssim")
+    if metric == "share" and min_ssim != 1:
+        raise UsageError("min_ssim: bounds the metric 'ssim', but 'share' decides; use share")
     areas = []
     for area in _arguments.sequence("ignore", ignore, "a list of rectangles"):
         if not isinstance(area, (tuple, list)) or len(area) != 4:

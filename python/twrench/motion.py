@@ -103,9 +103,19 @@ class Motion:
             f"{self.method}>"
         )
 
+    def _samples(self) -> tuple[Array, Array, Array]:
+        """t, X and omega for native functions, which rely on their shapes. A caller may have
+        replaced them."""
+        n = len(self.t)
+        return (
+            _contiguous("t", self.t, (n,)),
+            _contiguous("X", self.X, (n, 3, 3)),
+            _contiguous("omega", self.omega, (n, 3)),
+        )
+
     @cached_property
     def _diagnostics(self) -> tuple[Array, ...]:
-        X, omega = np.ascontiguousarray(self.X), np.ascontiguousarray(self.omega)
+        _, X, omega = self._samples()
         return tuple(_native.diagnose(self._free_body, X, omega))
 
     @property
@@ -146,7 +156,7 @@ class Motion:
 
         The sign of each quaternion is the one nearer to the previous sample.
         """
-        return _native.quaternions(np.ascontiguousarray(self.X))
+        return _native.quaternions(self._samples()[1])
 
     @property
     def quaternion_wxyz(self) -> Array:
@@ -188,9 +198,7 @@ class Motion:
         """
         file = Path(_arguments.path("path", path))
         if file.suffix == ".csv":
-            X, omega = np.ascontiguousarray(self.X), np.ascontiguousarray(self.omega)
-            t = np.ascontiguousarray(self.t, dtype=np.float64)
-            _native.write_samples(str(file), self._free_body, t, X, omega)
+            _native.write_samples(str(file), self._free_body, *self._samples())
         elif file.suffix == ".npz":
             bytes_of_file = io.BytesIO()
             diagnostics = {name: getattr(self, name) for name in _DIAGNOSTICS}
@@ -218,6 +226,16 @@ class Motion:
         return pandas.DataFrame(columns)
 
 
+def _contiguous(name: str, value: Any, shape: tuple[int, ...]) -> Array:
+    try:
+        array = np.ascontiguousarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise UsageError(f"{name}: must be an array, not {_arguments.brief(value)}") from error
+    if array.shape != shape:
+        raise UsageError(f"{name}: must have the shape {shape}, not {array.shape}")
+    return array
+
+
 def _free_body(
     body: Body,
     omega: Numbers,
@@ -226,13 +244,14 @@ def _free_body(
     energy_loss_time: float | None = None,
 ) -> _native.FreeBody:
     _arguments.instance("body", body, Body)
+    loses_none = isinstance(energy_loss_time, float) and energy_loss_time == math.inf
     return _native.FreeBody(
         body.inertia,
         _arguments.vector("omega", omega),
         np.eye(3) if attitude is None else _arguments.attitude("attitude", attitude),
         np.zeros(3) if wheel is None else _arguments.vector("wheel", wheel),
         math.inf
-        if energy_loss_time is None
+        if energy_loss_time is None or loses_none
         else _arguments.positive("energy_loss_time", energy_loss_time),
     )
 
@@ -265,7 +284,7 @@ def simulate(
         ``Rotation``; None for the identity.
     :param wheel: angular momentum of a wheel relative to the body, in body axes in g cm^2/s, (3,).
     :param energy_loss_time: time constant in s with which internal friction damps a small wobble
-        about the axis of greatest moment; None if no energy is lost.
+        about the axis of greatest moment; None or infinity if no energy is lost.
     :param step: step size in s of a method with fixed steps; the first step of an adaptive one.
     :param tolerance: error tolerance of an adaptive method, per step.
     :param max_steps: maximum number of steps.
@@ -331,6 +350,15 @@ class ExactMotion:
     def __init__(self, body: Body, omega: Numbers, *, attitude: Attitude | None = None) -> None:
         self._free_body = _free_body(body, omega, attitude)
         self._native = _native.ExactMotion(self._free_body)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"_free_body": self._free_body}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        free_body = state.get("_free_body") if isinstance(state, dict) else None
+        if not isinstance(free_body, _native.FreeBody):
+            raise UsageError("the pickled motion: is damaged", "pickle the object again")
+        self._free_body, self._native = free_body, _native.ExactMotion(free_body)
 
     def __repr__(self) -> str:
         if math.isnan(self.first_flip):

@@ -136,7 +136,7 @@ def study(
     :param attitude: X(0), in any form that :func:`simulate` accepts; None for the identity.
     :param wheel: angular momentum of a wheel relative to the body, in body axes in g cm^2/s, (3,).
     :param energy_loss_time: time constant in s with which internal friction damps a small wobble
-        about the axis of greatest moment; None if no energy is lost.
+        about the axis of greatest moment; None or infinity if no energy is lost.
     :param plot: a file, .svg, .pdf or .png, for a plot of order, work-precision and energy drift,
         which gnuplot draws; None for no plot. :func:`plots.study` draws with Matplotlib.
     :raises UsageError: for a wrong argument. If a method fails, its run has a ``failure`` instead.

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import typing
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -324,3 +325,36 @@ def test_ctrl_c_ends_a_long_call_and_leaves_nothing(tmp_path, template, call):
     child.send_signal(signal.SIGINT)
     assert child.communicate(timeout=60)[0] == "ended\n"
     assert list(folder.iterdir()) == []
+
+
+def test_numbers_beyond_those_of_double_precision_are_refused_without_a_warning():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(twrench.UsageError, match="^span: has more than"):
+            twrench.simulate(BODY, [1, 0, 0], span=(-1e308, 1e308), fps=1)
+        if np.finfo(np.longdouble).max > np.finfo(float).max:
+            huge = np.array([np.finfo(np.longdouble).max])
+            with pytest.raises(twrench.UsageError, match="^times: must be finite"):
+                twrench.simulate(BODY, [1, 0, 0], huge)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"methods": []}, "^methods: there must be one at least"),
+        ({"steps": []}, "^steps: there must be one at least"),
+        ({"steps": [0.1, -1]}, "^steps: is -1"),
+        ({"steps": [1e-300]}, "^steps: is 1e-300"),
+        ({"tolerances": [0]}, "^tolerances: is 0"),
+        ({"methods": ["rkf45"], "tolerances": []}, "^tolerances: there must be one at least"),
+    ],
+)
+def test_the_errors_of_a_study_name_its_lists(arguments, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        twrench.study(BODY, [0.1, 1, 0.2], **{"methods": ["rk4"], "duration": 1, **arguments})
+
+
+def test_the_text_of_an_error_is_one_line(tmp_path):
+    with pytest.raises(twrench.UsageError, match=r"^epoch: is 2026\\nX\\x1b, but") as raised:
+        Scene().export(tmp_path / "a.aem", epoch="2026\nX\x1b")
+    assert str(raised.value).isprintable()

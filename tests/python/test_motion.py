@@ -1,8 +1,10 @@
 from __future__ import annotations
 
+import copy
 import json
 import math
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -299,7 +301,7 @@ def test_wrong_studies(body):
         twrench.study(body, OMEGA, ["rk4"], duration=0)
     with pytest.raises(twrench.UsageError, match="steps"):
         twrench.study(body, OMEGA, ["rk4"], duration=1, steps=[])
-    with pytest.raises(twrench.UsageError, match="^step: is 0"):
+    with pytest.raises(twrench.UsageError, match="^steps: is 0"):
         twrench.study(body, OMEGA, ["rk4"], duration=1, steps=[0.0])
 
 
@@ -380,3 +382,61 @@ def test_control_c_ends_the_work(work, delay):
     os.kill(child.pid, signal.SIGINT)
     out, _ = child.communicate(timeout=60)
     assert out == "interrupted\nfine\n" and child.returncode == 0
+
+
+def test_motions_are_copied_and_pickled_bit_for_bit(body):
+    attitude = [0.1, -0.7, 0.5, 0.3]
+    exact = twrench.exact(body, OMEGA, attitude=attitude)
+    wheel = twrench.simulate(body, OMEGA, [0, 3, -2], attitude=attitude, wheel=[1, 2, 3])
+    damped = twrench.simulate(body, OMEGA, [0, 3, 20], energy_loss_time=100)
+    for motion in (exact.at([0, 3, 1e9]), wheel, damped):
+        for same in (copy.deepcopy(motion), pickle.loads(pickle.dumps(motion))):
+            for name in ("t", "X", "omega", "energy", "momentum_error", "momentum"):
+                np.testing.assert_array_equal(getattr(same, name), getattr(motion, name))
+            assert (same.method, same.steps) == (motion.method, motion.steps)
+    for same in (copy.copy(exact), copy.deepcopy(exact), pickle.loads(pickle.dumps(exact))):
+        np.testing.assert_array_equal(same.at([0.3, 1e9]).X, exact.at([0.3, 1e9]).X)
+        assert same.first_flip == exact.first_flip
+
+
+def test_damaged_pickles_of_motions_are_refused(body):
+    free_body = twrench.exact(body, OMEGA)._free_body
+    inertia, *others = free_body.__getstate__()
+    native = type(free_body)
+    for state in (None, (), (inertia,), (-inertia, *others), (inertia[:2], *others), ("x", *others)):
+        with pytest.raises(twrench.UsageError, match="the pickled motion: is damaged"):
+            native.__new__(native).__setstate__(state)
+    for state in (None, {}, {"_free_body": 3}):
+        exact = twrench.ExactMotion.__new__(twrench.ExactMotion)
+        with pytest.raises(twrench.UsageError, match="the pickled motion: is damaged"):
+            exact.__setstate__(state)
+
+
+def test_arrays_of_a_motion_that_were_replaced_by_others_are_refused(body, tmp_path):
+    for name, value in (
+        ("X", np.eye(3)), ("X", np.zeros((3, 2))), ("X", "abc"), ("X", np.zeros((2, 3, 3))),
+        ("omega", np.zeros((3, 1))), ("omega", np.zeros((10**6, 3))), ("t", np.arange(10**6)),
+    ):  # fmt: skip
+        motion = twrench.exact(body, OMEGA).at([0, 1, 2])
+        setattr(motion, name, value)
+        for use in (
+            lambda: motion.energy,
+            lambda: motion.quaternion_xyzw,
+            lambda: motion.save(tmp_path / "a.csv"),
+        ):
+            with pytest.raises(twrench.UsageError, match="^(X|omega): must"):
+                use()
+    assert not list(tmp_path.iterdir())
+    motion = twrench.exact(body, OMEGA).at([0, 1, 2])
+    motion.X = motion.X.astype(np.float32)  # less exact, but valid
+    assert motion.orthogonality_error.max() < 1e-6
+
+
+def test_an_infinite_time_of_the_energy_loss_is_none(body):
+    motion = twrench.simulate(body, OMEGA, [0, 1], energy_loss_time=math.inf)
+    assert motion.method == "exact"
+    study = twrench.study(body, OMEGA, ["rk4"], duration=1, energy_loss_time=math.inf)
+    assert study.reference == "exact"
+    for time in (-math.inf, math.nan, [1.0, math.inf]):
+        with pytest.raises(twrench.UsageError, match="^energy_loss_time"):
+            twrench.simulate(body, OMEGA, [0, 1], energy_loss_time=time)

@@ -7,6 +7,7 @@ import json
 import math
 import re
 import sys
+import warnings
 from pathlib import Path
 from typing import Any, Callable
 
@@ -456,3 +457,29 @@ def test_outputs_do_not_replace_inputs(tmp_path, template):
     with pytest.raises(twrench.FileError, match="No such file"):
         scene.export(tmp_path / "none" / "a.csv")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.toml", "template.html"]
+
+
+def test_names_of_columns(tmp_path):
+    body = twrench.Body(moments=[2, 3, 4])
+    rates = {key: GOOD[key] for key in ("wx", "wy", "wz")}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for name in ('a"b,=', '"', "a\nb", "\u03c9", " t "):
+            found = twrench.check({name: GOOD["t"], **rates}, body, columns={"t": name})
+            assert found.finding == "exact"
+    with pytest.raises(twrench.UsageError, match="^data: has a column without a name"):
+        twrench.check({"": GOOD["t"], **GOOD}, body)
+
+
+def test_a_motion_that_is_not_of_a_rigid_body_is_not_checked():
+    body = twrench.Body(moments=[2, 3, 4])
+    for interior in ({"wheel": [0, 0, 1]}, {"energy_loss_time": 50}):
+        motion = twrench.simulate(body, [0.1, 1, 0.2], np.linspace(0, 5, 20), **interior)
+        with pytest.raises(twrench.UsageError, match=r"^data\[1\]: a check needs the closed form"):
+            twrench.check([GOOD, motion], body)
+
+
+def test_a_bound_on_the_metric_that_does_not_decide_is_refused(tmp_path):
+    for arguments in ({"metric": "ssim", "share": 0.5}, {"min_ssim": 0.5}):
+        with pytest.raises(twrench.UsageError, match="bounds the metric"):
+            twrench.compare(tmp_path, tmp_path, **arguments)
