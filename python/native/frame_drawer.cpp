@@ -14,8 +14,8 @@ class FrameDrawer::Canvas {
  public:
   explicit Canvas(const FrameDrawer& drawer) : drawer_(drawer) {}
 
-  image::Image draw(int frame) {
-    const timeline::FilmTimeline timeline(drawer_.scene_, {frame});
+  image::Image draw(int frame, const std::atomic<bool>& stop) {
+    const timeline::FilmTimeline timeline(drawer_.scene_, {frame}, &stop);
     if (!renderer_) {
       if (!opened_.context) opened_ = gl::open_context(drawer_.backend_);
       renderer_.emplace(*opened_.context, drawer_.scene_);
@@ -38,7 +38,7 @@ FrameDrawer::~FrameDrawer() {
   thread_.join();
 }
 
-image::Image FrameDrawer::draw(int frame) {
+image::Image FrameDrawer::draw(int frame, const std::atomic<bool>& stop) {
   if (::getpid() != process_) {
     throw gl::GlError("frame", "this process was forked from the one that began to draw the scene",
                       {}, gl::GlError::Reason::forked);
@@ -49,7 +49,8 @@ image::Image FrameDrawer::draw(int frame) {
       while (const auto task = tasks_.pop()) (**task)(canvas);
     });
   });
-  const auto task = std::make_shared<Task>([frame](Canvas& canvas) { return canvas.draw(frame); });
+  const auto task =
+      std::make_shared<Task>([&](Canvas& canvas) { return canvas.draw(frame, stop); });
   tasks_.push(task);
   return task->get_future().get();
 }

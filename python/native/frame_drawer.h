@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -24,9 +25,10 @@ class FrameDrawer {
   FrameDrawer(const FrameDrawer&) = delete;
   FrameDrawer& operator=(const FrameDrawer&) = delete;
 
-  /// Returns the frame. Throws as film::RenderJob() does, and GlError in a forked process, because
+  /// Returns the frame. Another thread can end the integration of the motion through `stop`, as in
+  /// StepControl. Throws as film::RenderJob() does, and GlError in a forked process, because
   /// neither threads nor OpenGL survive a fork.
-  image::Image draw(int frame);
+  image::Image draw(int frame, const std::atomic<bool>& stop);
 
   /// Deletes a drawer, except in a forked process, which lacks its thread: joining it would fail,
   /// and destroying what it waits for would wait for it forever.

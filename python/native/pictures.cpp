@@ -128,7 +128,7 @@ py::dict theme_colors(const std::string& theme) {
 }
 
 image::Image draw(FrameDrawer& drawer, int frame) {
-  return run_interruptibly([&](const std::atomic<bool>&) { return drawer.draw(frame); });
+  return run_interruptibly([&](const std::atomic<bool>& stop) { return drawer.draw(frame, stop); });
 }
 
 }  // namespace

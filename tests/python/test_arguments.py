@@ -301,6 +301,7 @@ def test_other_threads_may_change_a_scene_while_it_is_used(monkeypatch, function
         "twrench.check(10_000 * [recording], body)",
         "twrench.check(10_000 * [recording], body, fit=True)",
         "twrench.pages(folder, template=template)",
+        "twrench.Scene(duration=4e4, speed=500, method='suzuki4', step=1e-3).frame(-1)",
     ],
 )
 def test_ctrl_c_ends_a_long_call_and_leaves_nothing(tmp_path, template, call):
