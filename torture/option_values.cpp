@@ -346,6 +346,8 @@ const std::map<std::string, Values>& known() {
                         "1.5/2", "a/b"}),
                 odd_words()})}},
       {"backend", words({"auto", "osmesa"})},
+      {"encode", words(enumerator_names<video::Effort>())},
+      {"crf", numbers({"0", "16", "51"}, {"63", "64", "52"})},
       {"egl-device", words({"software", "0"})},
       {"jobs", numbers({"1", "2", "4"}, {"256", "257"})},
       {"progress", words({"none", "plain", "json", "openjd", "bar", "auto"})},

@@ -47,9 +47,16 @@ film::ProgressCallback progress_for(const py::object& callback, const std::atomi
   };
 }
 
+video::Quality quality_of(const std::optional<std::string>& effort, std::optional<int> crf) {
+  video::Quality quality{.crf = crf};
+  if (effort) quality.effort = find_enumerator<video::Effort>(*effort, "encode");
+  return quality;
+}
+
 /// Returns the number of frames.
 std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& video,
                    const std::optional<std::string>& container, bool chapters,
+                   const std::optional<std::string>& effort, std::optional<int> crf,
                    const std::optional<fs::path>& frames_folder, const std::string& range,
                    const std::optional<std::string>& shard, const std::string& existing,
                    std::optional<int> jobs, const std::string& backend,
@@ -60,7 +67,7 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
   if (video) {
     settings.video = film::VideoOutput{
         *video, container ? video::container_named(*container) : video::container_of(*video),
-        chapters};
+        chapters, quality_of(effort, crf)};
     for (const fs::path& input : inputs) system::require_not_input(*video, input);
   }
   settings.range = range;
@@ -81,14 +88,15 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
 /// Returns the number of frames.
 std::size_t encode(const fs::path& folder, const fs::path& path,
                    const std::optional<std::string>& container, bool chapters,
+                   const std::optional<std::string>& effort, std::optional<int> crf,
                    std::optional<int> width, bool allow_missing, bool overwrite,
                    const py::object& progress) {
   video::VideoOutput output{
-      path,
-      container ? video::container_named(*container) : video::container_of(path),
-      overwrite,
-      chapters,
-      {}};
+      .path = path,
+      .container = container ? video::container_named(*container) : video::container_of(path),
+      .overwrite = overwrite,
+      .chapters = chapters,
+      .quality = quality_of(effort, crf)};
   if (width) {
     if (!video::is_animated_image(output.container)) {
       throw InvalidArgument("width", "only animated images are scaled", "leave it out");
@@ -149,6 +157,7 @@ void add_pictures(py::module_& module) {
   module.def("theme_colors", &theme_colors);
   module.def("render", &render);
   module.def("encode", &encode);
+  module.def("effort_names", &enumerator_names<video::Effort>);
   module.def("container_names", [] { return video::format_texts(&video::OutputFormat::ending); });
   module.def("media_type", [](const fs::path& video) {
     return video::output_format(video::container_of(video)).media_type;

@@ -328,6 +328,7 @@ def compare(
     page: str,
     update: bool,
 ) -> list[str]: ...
+def effort_names() -> list[str]: ...
 def container_names() -> list[str]: ...
 def media_type(video: Path) -> str: ...
 def render(
@@ -335,6 +336,8 @@ def render(
     video: Path | None,
     container: str | None,
     chapters: bool,
+    encode: str | None,
+    crf: int | None,
     frames_folder: Path | None,
     frames: str,
     shard: str | None,
@@ -350,6 +353,8 @@ def encode(
     video: Path,
     container: str | None,
     chapters: bool,
+    encode: str | None,
+    crf: int | None,
     width: int | None,
     allow_missing: bool,
     overwrite: bool,

@@ -10,7 +10,7 @@ from typing import Any, Callable, Iterable, Iterator, Union
 
 from . import _arguments, _native
 from .errors import UsageError
-from .names import ContainerName, StrPath
+from .names import ContainerName, EffortName, StrPath
 
 __all__ = ["Film", "Picture", "encode"]
 
@@ -60,6 +60,8 @@ def encode(
     *,
     container: ContainerName | None = None,
     chapters: bool = True,
+    encode: EffortName | None = None,
+    crf: int | None = None,
     width: int | None = None,
     allow_missing: bool = False,
     overwrite: bool = False,
@@ -71,6 +73,8 @@ def encode(
     :param path: the video or the animated image.
     :param container: mp4, mov, mkv, webm, gif or webp; None to choose it by the ending of ``path``.
     :param chapters: start a chapter of the video at each flip.
+    :param encode: as in :meth:`Scene.render`.
+    :param crf: as in :meth:`Scene.render`.
     :param width: width of an animated image in pixels; None for that of the frames, but at most 640.
     :param allow_missing: encode the frames that exist even if some are missing.
     :param overwrite: replace an existing video of another motion.
@@ -90,12 +94,21 @@ def encode(
             video,
             chosen,
             bool(chapters),
+            *quality(encode, crf),
             pixels,
             bool(allow_missing),
             bool(overwrite),
             report,
         )
     return Film(video, None, count)
+
+
+def quality(encode: str | None, crf: int | None) -> tuple[str | None, int | None]:
+    """The effort and the quality of a video. The codec checks the range of the quality."""
+    return (
+        None if encode is None else _arguments.text("encode", encode),
+        None if crf is None else _arguments.whole("crf", crf, 0, 2**31 - 1),
+    )
 
 
 @contextmanager

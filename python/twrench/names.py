@@ -51,6 +51,7 @@ FeatureName = Literal[
 ShapeName = Literal["box", "ellipsoid", "cross"]
 UnitName = Literal["mm", "cm", "m", "inch", "km"]
 ContainerName = Literal["mp4", "mov", "mkv", "webm", "gif", "webp"]
+EffortName = Literal["fast", "balanced", "small"]
 BackendName = Literal["auto", "osmesa", "egl"]
 ExportFormat = Literal["glb", "aem", "csv", "json"]
 

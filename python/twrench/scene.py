@@ -28,12 +28,13 @@ from . import _arguments, _native, plots
 from ._arguments import Array
 from .body import Body
 from .errors import FileError, SceneError, UsageError, argument_names
-from .film import Film, Picture, Progress, frame_range, reporting
+from .film import Film, Picture, Progress, frame_range, quality, reporting
 from .motion import Motion, simulate
 from .names import (
     Attitude,
     BackendName,
     ContainerName,
+    EffortName,
     ExportFormat,
     FeatureName,
     FrameName,
@@ -635,6 +636,8 @@ class Scene:
         shard: tuple[int, int] | None = None,
         container: ContainerName | None = None,
         chapters: bool = True,
+        encode: EffortName | None = None,
+        crf: int | None = None,
         resume: bool = False,
         overwrite: bool = False,
         jobs: int | None = None,
@@ -653,6 +656,10 @@ class Scene:
             all n parts share. There is no video; :func:`encode` makes it when all parts are drawn.
         :param container: mp4, mov, mkv, webm, gif or webp; None to choose it by the ending of ``path``.
         :param chapters: start a chapter of the video at each flip.
+        :param encode: effort of the encoder, only for H.264 and VP9: fast takes less processor time and
+            small makes a smaller file, both at the quality of balanced, the default.
+        :param crf: quality of H.264 (0 to 51) or VP9 (0 to 63), smaller is better; None for the
+            default of the codec.
         :param resume: keep existing intact frames of this scene.
         :param overwrite: replace frames and a video of another scene.
         :param jobs: number of threads that compress frames, 1 to 256; None: half the
@@ -673,6 +680,8 @@ class Scene:
         """
         if path is None and frames_dir is None:
             raise UsageError("render: give path, frames_dir or both")
+        if path is None and not (encode is None and crf is None):
+            raise UsageError("render: no video is written; leave out encode and crf, or give path")
         if resume and overwrite:
             raise UsageError("render: resume keeps frames and overwrite replaces them; give one")
         if shard is not None and path is not None:
@@ -693,6 +702,7 @@ class Scene:
                 video,
                 chosen,
                 bool(chapters),
+                *quality(encode, crf),
                 folder,
                 selected,
                 part,

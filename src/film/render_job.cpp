@@ -51,8 +51,13 @@ std::vector<int> asked_frames(const scene::Scene& scene, const std::string& rang
 }
 
 video::VideoFormat video_format(const scene::Scene& scene, const VideoOutput& video) {
-  return {scene.film.width, scene.film.height,      scene.film.fps,
-          video.container,  scene.look.transparent, video.is_streamed()};
+  return {.width = scene.film.width,
+          .height = scene.film.height,
+          .fps = scene.film.fps,
+          .container = video.container,
+          .transparent = scene.look.transparent,
+          .streamed = video.is_streamed(),
+          .quality = video.quality};
 }
 
 system::Patience patience_of(const RenderSettings& settings) { return {.stop = settings.stop}; }
@@ -61,7 +66,7 @@ system::Patience patience_of(const RenderSettings& settings) { return {.stop = s
 std::future<void> try_encoder(const RenderSettings& settings, const scene::Scene& scene) {
   if (!settings.video) return {};
   const video::VideoFormat format = video_format(scene, *settings.video);
-  video::encoder_arguments(format);  // throws for an invalid size
+  video::encoder_arguments(format);  // throws for an invalid format
   return std::async(std::launch::async, [format, patience = patience_of(settings)] {
     video::require_encoder(format, patience);
   });
@@ -99,7 +104,9 @@ video::Manifest manifest_of(const RenderSettings& settings, const scene::Scene& 
   manifest.range = video::format_frame_range(asked);
   manifest.shard = settings.shard;
   if (settings.video) {
-    manifest.encoder = video::encoder_arguments(video_format(scene, *settings.video));
+    const video::VideoFormat format = video_format(scene, *settings.video);
+    manifest.encoder = video::encoder_arguments(format);
+    manifest.quality = video::chosen_quality(format);
   }
   return manifest;
 }

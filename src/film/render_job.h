@@ -34,6 +34,8 @@ struct VideoOutput {
   video::Container container = video::Container::mp4;
   /// Whether the flips become chapters.
   bool chapters = true;
+  /// Effort and quality of the encoder.
+  video::Quality quality = {};
 
   bool is_streamed() const { return path == "-"; }
 };

@@ -14,18 +14,27 @@
 namespace twrench::video {
 namespace {
 
-/// aq-mode 3 spends more bits on dark areas, where H.264 first shows banding in gradients. Rotating
-/// smooth surfaces gain nothing from smaller blocks with their own motion vectors: without them the
-/// encoder takes a sixth less time at the same quality and size. Without B-frames it takes a fifth
-/// less time at the same quality, and the file is a tenth larger.
-constexpr Codec h264{"libx264", "-preset veryfast -crf 16 -bf 0 -aq-mode 3 -partitions i4x4",
-                     "H.264 video in MP4"};
+/// Rotating smooth surfaces gain nothing from smaller blocks with their own motion vectors: without
+/// them the encoder takes a sixth less time at the same quality and size. Without B-frames it takes
+/// a fifth less time at the same quality, and the file is a tenth larger. Without psychovisual
+/// optimization, which adds detail that the frames do not have, the file is a tenth smaller.
+/// bench/encode.sh compares the rows, whose crf give the same PSNR and SSIM.
+constexpr std::array h264_efforts{
+    EffortSettings{Effort::fast, "-preset ultrafast", 19},
+    EffortSettings{Effort::balanced, "-preset veryfast -bf 0 -partitions i4x4", 16},
+    EffortSettings{Effort::small, "-preset slow -psy-rd 0:0", 18}};
+static_assert(has_row_for_each(h264_efforts, &EffortSettings::effort));
+/// aq-mode 3 spends more bits on dark areas, where H.264 first shows banding in gradients.
+constexpr Codec h264{"libx264", "-aq-mode 3", "H.264 video in MP4", h264_efforts, 51};
 constexpr Codec prores{"prores_ks", "-profile:v 4444 -alpha_bits 16 -vendor apl0",
                        "video with alpha in MOV"};
+constexpr std::array vp9_efforts{EffortSettings{Effort::fast, "-deadline realtime -cpu-used 8", 11},
+                                 EffortSettings{Effort::balanced, "-deadline good -cpu-used 4", 18},
+                                 EffortSettings{Effort::small, "-deadline good -cpu-used 1", 22}};
+static_assert(has_row_for_each(vp9_efforts, &EffortSettings::effort));
 /// Without -auto-alt-ref 0, libvpx before 1.13 rejects alpha.
-constexpr Codec vp9{"libvpx-vp9",
-                    "-crf 18 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -auto-alt-ref 0",
-                    "video in WebM, optionally with alpha"};
+constexpr Codec vp9{"libvpx-vp9", "-b:v 0 -row-mt 1 -auto-alt-ref 0",
+                    "video in WebM, optionally with alpha", vp9_efforts, 63};
 /// Repeated for ever.
 constexpr Codec gif{"gif", "-loop 0", "animated images in GIF"};
 /// Repeated for ever. At a lower quality, libwebp ignores changes of two levels or more, so that
@@ -92,6 +101,30 @@ std::string_view index_arguments(const OutputFormat& format, bool streamed) {
                   : "-movflags +faststart";
 }
 
+/// Returns the settings of the codec for the effort. The codec must have efforts.
+const EffortSettings& settings_for(const Codec& codec, const Quality& quality) {
+  return *std::ranges::find(codec.efforts, quality.effort.value_or(Effort::balanced),
+                            &EffortSettings::effort);
+}
+
+const Codec& codec_of(const VideoFormat& format) {
+  return *output_format(format.container).encoding(format.transparent).codec;
+}
+
+/// Throws if an effort or a quality is requested of a codec that has none.
+void require_no_quality(const VideoFormat& format) {
+  const Quality& quality = format.quality;
+  if (quality == Quality{}) return;
+  const auto others = format_texts(&OutputFormat::extension, [&](const OutputFormat& other) {
+    return other.has_quality(format.transparent);
+  });
+  throw InvalidArgument(
+      quality.effort ? fmt::format("encode {}", enumerator_name(*quality.effort))
+                     : fmt::format("crf {}", *quality.crf),
+      fmt::format("the encoder {} has no such setting", codec_of(format).name),
+      fmt::format("leave it out, or choose another format ({})", fmt::join(others, ", ")));
+}
+
 }  // namespace
 
 std::span<const OutputFormat> output_formats() { return formats; }
@@ -137,13 +170,35 @@ int VideoFormat::frame_step() const {
   return std::max(1, static_cast<int>(std::ceil(fps / most_fps - round_off)));
 }
 
-std::string codec_arguments(Container container, bool alpha, bool streamed) {
-  const OutputFormat& format = output_format(container);
-  const auto& [codec, pixels] = format.encoding(alpha);
+Quality chosen_quality(const VideoFormat& format) {
+  const Codec& codec = codec_of(format);
+  const Quality& quality = format.quality;
+  if (codec.efforts.empty()) {
+    require_no_quality(format);
+    return {};
+  }
+  const EffortSettings& settings = settings_for(codec, quality);
+  const int crf = quality.crf.value_or(settings.crf);
+  if (crf < 0 || crf > codec.most_crf) {
+    throw OutOfRange(fmt::format("crf {}", crf),
+                     fmt::format("the encoder {} accepts 0 to {}", codec.name, codec.most_crf),
+                     {double(crf), 0, double(codec.most_crf)},
+                     fmt::format("choose a number in this range; the default is {}", settings.crf));
+  }
+  return {settings.effort, crf};
+}
+
+std::string codec_arguments(const VideoFormat& format) {
+  const OutputFormat& output = output_format(format.container);
+  const auto& [codec, pixels] = output.encoding(format.transparent);
   const std::string pixel_format = *pixels == '\0' ? "" : fmt::format("-pix_fmt {}", pixels);
-  return fmt::format("{} -c:v {} {} {} {} -f {}", pixel_format, codec->name, codec->options,
-                     index_arguments(format, streamed), format.is_video() ? bt709_tags : "",
-                     format.muxer);
+  const Quality quality = chosen_quality(format);
+  const std::string effort =
+      quality.crf ? fmt::format("{} -crf {}", settings_for(*codec, quality).options, *quality.crf)
+                  : "";
+  return fmt::format("{} -c:v {} {} {} {} {} -f {}", pixel_format, codec->name, codec->options,
+                     effort, index_arguments(output, format.streamed),
+                     output.is_video() ? bt709_tags : "", output.muxer);
 }
 
 }  // namespace twrench::video

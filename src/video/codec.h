@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,14 +13,39 @@ namespace twrench::video {
 /// The file formats of videos; output_formats() describes them.
 enum class Container { mp4, mov, matroska, webm, gif, webp };
 
+/// How much processor time a codec may take to make the video small. The quality is the same.
+enum class Effort { fast, balanced, small };
+
+/// The settings of a codec for an effort.
+struct EffortSettings {
+  Effort effort;
+  /// Options of ffmpeg.
+  const char* options;
+  /// The default of Quality::crf.
+  int crf;
+};
+
+/// The requested effort and quality of a video; the codec has defaults for both.
+struct Quality {
+  std::optional<Effort> effort = std::nullopt;
+  /// The quality on the codec's own scale: 0 is the best, and larger numbers give smaller files.
+  std::optional<int> crf = std::nullopt;
+
+  bool operator==(const Quality&) const = default;
+};
+
 /// An encoder of ffmpeg.
 struct Codec {
   /// ffmpeg's name.
   const char* name;
-  /// Its options.
+  /// Its options that do not depend on the effort.
   const char* options;
   /// A description for users.
   const char* use;
+  /// One row for each effort; empty if the codec has neither efforts nor a scale of quality.
+  std::span<const EffortSettings> efforts = {};
+  /// The largest Quality::crf.
+  int most_crf = 0;
 };
 
 /// A codec and the pixel format in which it encodes.
@@ -59,6 +85,11 @@ struct OutputFormat {
   bool keeps_alpha() const { return transparent.codec != nullptr; }
   /// Returns how frames with or without alpha are encoded.
   const Encoding& encoding(bool alpha) const { return alpha ? transparent : opaque; }
+  /// Returns whether the effort and the quality of frames with or without alpha can be chosen.
+  bool has_quality(bool alpha) const {
+    const Codec* const codec = encoding(alpha).codec;
+    return codec != nullptr && !codec->efforts.empty();
+  }
   /// Returns the file extension with its dot.
   std::string extension() const { return std::string(".") + ending; }
 };
@@ -120,6 +151,8 @@ struct VideoFormat {
   bool streamed = false;
   /// Width in pixels to which an animated image is scaled; 0 leaves it as it is.
   int scaled_width = 0;
+  /// Effort and quality of the encoder.
+  Quality quality = {};
 
   /// Returns whether ffmpeg receives the frames as RGB or RGBA instead of Y'CbCr.
   bool is_rgb() const { return transparent || is_animated_image(container); }
@@ -138,9 +171,14 @@ struct VideoFormat {
 inline constexpr const char* bt709_tags =
     "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
 
-/// Returns ffmpeg's arguments after the input: codec and container. If the frames have alpha, the
-/// container must keep it. A `streamed` video is fragmented and written from front to back, because
-/// a pipe is not seekable.
-std::string codec_arguments(Container container, bool alpha, bool streamed);
+/// Returns the requested effort and quality, or the codec's defaults; neither if the codec has
+/// none. If the frames have alpha, the container must keep it. Throws InvalidArgument if they are
+/// requested of a codec that has none, and OutOfRange if the quality is outside its scale.
+Quality chosen_quality(const VideoFormat& format);
+
+/// Returns ffmpeg's arguments after the input: codec and container. A `streamed` video is
+/// fragmented and written from front to back, because a pipe is not seekable. Throws as
+/// chosen_quality().
+std::string codec_arguments(const VideoFormat& format);
 
 }  // namespace twrench::video

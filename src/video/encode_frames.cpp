@@ -150,7 +150,12 @@ TextTracks text_tracks_of(const Manifest& manifest, const VideoOutput& output) {
 }
 
 VideoFormat format_of(const Manifest& manifest, const VideoOutput& output, bool transparent) {
-  VideoFormat format{manifest.width, manifest.height, manifest.fps, output.container, transparent};
+  VideoFormat format{.width = manifest.width,
+                     .height = manifest.height,
+                     .fps = manifest.fps,
+                     .container = output.container,
+                     .transparent = transparent,
+                     .quality = output.quality};
   if (is_animated_image(format.container))
     format.scaled_width = output.width.value_or(std::min(format.width, widest_animation));
   return format;

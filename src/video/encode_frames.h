@@ -25,6 +25,8 @@ struct VideoOutput {
   bool chapters = true;
   /// Width in pixels to which an animated image is scaled; if not given, at most widest_animation.
   std::optional<int> width = std::nullopt;
+  /// Effort and quality of the encoder.
+  Quality quality = {};
 };
 
 /// Encodes the frames in a folder as listed in its manifests: the one of a run, those of shards, or

@@ -170,7 +170,7 @@ void VideoEncoder::draw_in_palette() {
   start(joined({{"ffmpeg"},
                 words(quiet_options),
                 passes_->second(),
-                words(codec_arguments(format_.container, format_.transparent, false)),
+                words(codec_arguments(format_)),
                 {output_argument(file_)}}));
   constexpr std::int64_t slow_machine = 500;  // pixels per millisecond
   const std::int64_t pixels = frames_ / step_ * format_.shown_width() * format_.shown_height();

@@ -100,10 +100,9 @@ Arguments input_arguments(const VideoFormat& format) {
 }
 
 Arguments output_arguments(const VideoFormat& format) {
-  const auto& [container, alpha] = std::pair(format.container, format.transparent);
-  return joined(
-      {is_animated_image(container) ? animation_filters(format) : words(alpha ? conversion : ""),
-       words(codec_arguments(container, alpha, format.streamed))});
+  return joined({is_animated_image(format.container) ? animation_filters(format)
+                                                     : words(format.transparent ? conversion : ""),
+                 words(codec_arguments(format))});
 }
 
 Arguments encoder_arguments(const VideoFormat& format) {

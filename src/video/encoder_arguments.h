@@ -27,7 +27,7 @@ Arguments joined(std::initializer_list<Arguments> groups);
 Arguments input_arguments(const VideoFormat& format);
 
 /// Returns the arguments between the input and the output file: filters, codec and container,
-/// tagged BT.709.
+/// tagged BT.709. Throws as chosen_quality().
 Arguments output_arguments(const VideoFormat& format);
 
 /// Returns both. For an animated image with a palette, these arguments would keep all frames in

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/enumeration.h"
+
 namespace twrench::video {
 namespace {
 
@@ -20,6 +22,9 @@ std::string format_head(const Manifest& manifest) {
             {"renderer", manifest.renderer}, {"size", {manifest.width, manifest.height}},
             {"fps", manifest.fps},           {"encoder", manifest.encoder},
             {"range", manifest.range},       {"font", manifest.font}};
+  const auto& [effort, crf] = manifest.quality;
+  if (effort) head["encode"] = enumerator_name(*effort);
+  if (crf) head["crf"] = *crf;
   if (!manifest.shard.is_whole()) head["shard"] = format_shard(manifest.shard);
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "system/error.h"
+#include "video/codec.h"
 #include "video/shard.h"
 
 namespace twrench::video {
@@ -57,6 +58,9 @@ struct Manifest {
   double fps = 0.0;
   /// ffmpeg's arguments, as a record; they are never executed from here.
   std::vector<std::string> encoder;
+  /// The effort and the quality of the video; neither without a video, or if its codec has none.
+  /// A record, which is not read back.
+  Quality quality{};
   /// The requested RANGE; an interrupted run has fewer frames.
   std::string range;
   /// The part of the range that this run draws.

@@ -181,6 +181,8 @@ TEST(Faults, TheFolderBecomesReadOnlyMidway) {
 TEST(Faults, FfmpegThatFailsAtOnceIsMissedBeforeTheFirstFrame) {
   const std::pair<const char*, const char*> faults[] = {
       {"echo \"Unknown encoder 'libx264'\" >&2; exit 1", "Unknown encoder"},
+      {"case \"$*\" in *' -crf '*) echo \"Unrecognized option 'crf'.\" >&2; exit 1; esac",
+       "Unrecognized option 'crf'"},
       {"kill -SEGV $$", "exit status 139"}};
   for (const auto& [script, message] : faults) {
     const ScratchFolder folder;

@@ -25,6 +25,7 @@ def test_the_names_are_those_of_the_program():
     for name, values in _native.names().items():
         assert list(typing.get_args(getattr(names, name))) == values, name
     assert list(typing.get_args(names.ContainerName)) == _native.container_names()
+    assert list(typing.get_args(names.EffortName)) == _native.effort_names()
 
 
 @pytest.mark.parametrize("call", [twrench.exact(BODY, [1, 0, 0]).at,

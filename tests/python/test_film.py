@@ -66,6 +66,22 @@ def test_a_film_has_chapters_unless_it_should_not(small, tmp_path):
     assert not (tmp_path / "f.chapters.vtt").exists()
 
 
+def test_a_film_in_a_chosen_quality(small, tmp_path):
+    sizes = {}
+    for effort in twrench._native.effort_names():
+        small.render(tmp_path / f"{effort}.mp4", frames_dir=tmp_path / "f", encode=effort)
+        sizes[effort] = (tmp_path / f"{effort}.mp4").stat().st_size
+        manifest = json.loads((tmp_path / "f/manifest.json").read_text())
+        assert manifest["encode"] == effort
+    assert sizes["small"] < sizes["balanced"] < sizes["fast"]
+    twrench.encode(tmp_path / "f", tmp_path / "again.mp4", encode="small")
+    assert (tmp_path / "again.mp4").read_bytes() == (tmp_path / "small.mp4").read_bytes()
+    twrench.encode(tmp_path / "f", tmp_path / "rough.mp4", encode="small", crf=40)
+    assert (tmp_path / "rough.mp4").stat().st_size < sizes["small"]
+    with pytest.raises(twrench.UsageError, match="crf 40: the encoder gif"):
+        twrench.encode(tmp_path / "f", tmp_path / "rough.gif", crf=40)
+
+
 def test_the_document_names_each_container():
     names = twrench._native.container_names()
     assert "mp4" in names
@@ -128,6 +144,13 @@ def test_an_input_is_no_output(tmp_path):
         ({"path": "f"}, twrench.UsageError, "f"),
         ({"path": "f.mp4", "container": "xyz"}, twrench.UsageError, "xyz"),
         ({"path": "f.mp4", "container": 3}, twrench.UsageError, "container: must be a string"),
+        ({"path": "f.mp4", "encode": "smal"}, twrench.UsageError, "did you mean 'small'"),
+        ({"path": "f.mp4", "encode": 3}, twrench.UsageError, "encode: must be a string"),
+        ({"path": "f.mp4", "crf": 52}, twrench.UsageError, "crf 52: .* accepts 0 to 51"),
+        ({"path": "f.mp4", "crf": -1}, twrench.UsageError, "crf: must be from 0"),
+        ({"path": "f.mp4", "crf": 17.5}, twrench.UsageError, "crf: must be an integer"),
+        ({"path": "f.gif", "crf": 20}, twrench.UsageError, "gif has no such setting"),
+        ({"frames_dir": "f", "encode": "fast"}, twrench.UsageError, "no video is written"),
         ({"path": "f.mp4", "frames": "9-"}, twrench.UsageError, "9-"),
         ({"path": "f.mp4", "frames": "0-24"}, twrench.UsageError, "24"),
         ({"path": "f.mp4", "frames": ""}, twrench.UsageError, "frames: must be a range"),

@@ -47,7 +47,7 @@ for method in twrench.methods():
 scene.export("a.glb", format="glb", max_angle=1e-3)
 passes: bool = twrench.check(motion, body, units="deg").passes
 share: float | None = twrench.compare("a", "b", metric="ssim").frames[0].share
-scene.render("a.mp4", container="mp4", progress=lambda done, total: print(done))
+scene.render("a.mp4", container="mp4", encode="small", crf=20, progress=lambda done, total: print(done))
 """
 
 #: Calls that a type checker must reject, one per line.
@@ -68,6 +68,7 @@ twrench.study(Body(moments=[1, 2, 3]), [1, 0, 0], ["rk5"], duration=1)
 Scene().export("a.glb", format="gltf")
 twrench.check("a.csv", units="hz")
 twrench.compare("a", "b", metric="psnr")
+Scene().render("a.mp4", encode="slow")
 """
 
 

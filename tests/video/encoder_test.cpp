@@ -1,5 +1,7 @@
 #include "video/encoder.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,11 +11,13 @@
 #include <filesystem>
 #include <future>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "run_command.h"
 #include "scratch_folder.h"
 #include "stub_ffmpeg.h"
@@ -119,10 +123,17 @@ TEST(Encoder, KeepsColours) {
   }
 }
 
+class EncoderEffort : public ::testing::TestWithParam<Effort> {};
+
+INSTANTIATE_TEST_SUITE_P(Each, EncoderEffort, ::testing::ValuesIn(enumerators<Effort>),
+                         [](const auto& effort) {
+                           return std::string(enumerator_name(effort.param));
+                         });
+
 // A dithered dark gradient of one hue, like that of the floor. Stretched five times, it must not
 // show patches of other hues.
-TEST(Encoder, KeepsTheHueOfADarkGradient) {
-  constexpr VideoFormat wide{640, 360, 30.0};
+TEST_P(EncoderEffort, KeepsTheHueOfADarkGradient) {
+  const VideoFormat wide{.width = 640, .height = 360, .fps = 30.0, .quality = {GetParam()}};
   image::Image image(wide.width, wide.height, 3);
   for (int i = 0; i < wide.width * wide.height; ++i) {
     const int x = i % wide.width, y = i / wide.width;
@@ -334,14 +345,15 @@ TEST(Encoder, KeepsAlphaWhereTheContainerDoes) {
   }
 }
 
-TEST(Encoder, EncodesEachOutputFormat) {
+TEST_P(EncoderEffort, EncodesEachOutputFormat) {
   const ScratchFolder scratch;
   for (const OutputFormat& output : output_formats()) {
     for (const bool alpha : {false, true}) {
       if (alpha && !output.keeps_alpha()) continue;
       const std::string name = (alpha ? "alpha" : "film") + output.extension();
       EXPECT_EQ(container_of(name), output.container);
-      const VideoFormat of{format.width, format.height, 30, output.container, alpha};
+      VideoFormat of{format.width, format.height, 30, output.container, alpha};
+      if (output.has_quality(alpha)) of.quality.effort = GetParam();
       EXPECT_NO_THROW(require_encoder(of)) << name;
       VideoEncoder encoder(scratch / name, of, "twrench:1");
       image::Image image(of.width, of.height, alpha ? 4 : 3);
@@ -381,6 +393,66 @@ TEST(Encoder, TakesRatesThatAreNotWhole) {
   }
   for (const double fps : {0.0, -1.0, 1e9, std::nan("")}) {
     EXPECT_THROW(encoder_arguments({64, 48, fps}), OutOfRange);
+  }
+}
+
+/// A video of the standard size in the container of the file name.
+VideoFormat format_for(const std::string& name, bool alpha, const Quality& quality) {
+  return {.width = format.width,
+          .height = format.height,
+          .fps = 30,
+          .container = container_of(name),
+          .transparent = alpha,
+          .quality = quality};
+}
+
+TEST(EncoderQuality, IsThatOfTheCodecUnlessOneIsRequested) {
+  EXPECT_EQ(chosen_quality(format), (Quality{Effort::balanced, 16}));
+  for (const auto& [name, most] : {std::pair{"f.mp4", 51}, {"f.mkv", 51}, {"f.webm", 63}}) {
+    for (const int crf : {0, 23, most}) {
+      const VideoFormat of = format_for(name, false, {Effort::small, crf});
+      EXPECT_EQ(chosen_quality(of), of.quality) << name;
+      EXPECT_THAT(fmt::format("{}", fmt::join(encoder_arguments(of), " ")),
+                  HasSubstr(fmt::format(" -crf {} ", crf)));
+    }
+    for (const int crf : {-1, most + 1}) {
+      EXPECT_THROW(encoder_arguments(format_for(name, false, {.crf = crf})), OutOfRange) << name;
+    }
+  }
+}
+
+TEST(EncoderQuality, DiffersBetweenTheEfforts) {
+  for (const char* name : {"f.mp4", "f.webm"}) {
+    std::set<Arguments> different;
+    for (const Effort effort : enumerators<Effort>) {
+      different.insert(encoder_arguments(format_for(name, false, {effort, 20})));
+    }
+    EXPECT_EQ(different.size(), enumerators<Effort>.size()) << name;
+  }
+}
+
+TEST(EncoderQuality, IsRefusedByCodecsThatHaveNone) {
+  struct Request {
+    const char* name;
+    bool alpha;
+    Quality quality;
+    const char* quantity;
+    const char* others;
+  };
+  const Request requests[] = {
+      {"f.gif", false, {.crf = 3}, "crf 3", "(.mp4, .mov, .mkv, .webm)"},
+      {"f.gif", true, {Effort::balanced}, "encode balanced", "(.webm)"},
+      {"f.webp", false, {Effort::small, 3}, "encode small", "(.mp4, .mov, .mkv, .webm)"},
+      {"f.mov", true, {Effort::fast}, "encode fast", "(.webm)"}};
+  for (const auto& [name, alpha, quality, quantity, others] : requests) {
+    EXPECT_EQ(chosen_quality(format_for(name, alpha, {})), Quality{});
+    try {
+      require_encoder(format_for(name, alpha, quality));
+      ADD_FAILURE() << name;
+    } catch (const InvalidArgument& error) {
+      EXPECT_EQ(error.quantity(), quantity) << name;
+      EXPECT_THAT(error.remedy(), HasSubstr(others)) << name;
+    }
   }
 }
 

@@ -104,6 +104,15 @@ TEST(Manifest, HasTheKeysThatScriptsReadInTheirOrder) {
   EXPECT_EQ(json["frames"][1]["file"], "frame_000005.png");
 }
 
+TEST(Manifest, HasTheQualityOfTheVideo) {
+  Manifest manifest = sample();
+  manifest.quality = {Effort::small, 18};
+  const auto json = nlohmann::ordered_json::parse(format_manifest(manifest));
+  EXPECT_EQ(json["encode"], "small");
+  EXPECT_EQ(json["crf"], 18);
+  EXPECT_TRUE(same_film(manifest, sample())) << "frames do not depend on the encoder";
+}
+
 TEST(Manifest, MayLackShotsAndFlips) {
   auto json = nlohmann::ordered_json::parse(format_manifest(sample()));
   EXPECT_TRUE(json["frames"][0]["last_flip"].is_null());

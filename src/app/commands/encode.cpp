@@ -35,7 +35,11 @@ std::string animated_images(const char* conjunction) {
 
 video::VideoOutput EncodeOptions::video_output() const {
   const video::Container container = film.container(film.output);
-  video::VideoOutput video{film.output, container, overwrite, film.chapters_in(container), {}};
+  video::VideoOutput video{.path = film.output,
+                           .container = container,
+                           .overwrite = overwrite,
+                           .chapters = film.chapters_in(container),
+                           .quality = film.quality()};
   if (width.empty()) return video;
   if (!video::is_animated_image(container)) {
     throw InvalidArgument("--width", fmt::format("only {} are scaled", animated_images("and")),

@@ -111,6 +111,10 @@ void RenderOptions::require_consistent() const {
         "render", "with --no-video or --shard, no video is written to --output",
         "once all frames are drawn: twrench encode FRAMES_DIR -o " + video.output);
   }
+  if (no_video && video.has_quality()) {
+    throw InvalidArgument("render", "with --no-video or --shard, no video is encoded",
+                          "give --encode and --crf to twrench encode");
+  }
   if (!no_video) video.require_free_output(progress);
   if (backend.backend == gl::Backend::osmesa && backend.egl_device) {
     throw InvalidArgument("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
@@ -147,7 +151,8 @@ film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
   if (!no_video) {
     const fs::path path =
         video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
-    settings.video = film::VideoOutput{path, container(), video.chapters_in(container())};
+    settings.video =
+        film::VideoOutput{path, container(), video.chapters_in(container()), video.quality()};
     if (!video.is_streamed()) scene.require_not_input(path);
     if (settings.frames_folder) {
       twrench::system::require_different_outputs(path, *settings.frames_folder);

@@ -6,8 +6,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
+#include <vector>
 
+#include "app/options/arguments.h"
 #include "app/options/option_group.h"
+#include "base/enumeration.h"
 
 namespace twrench::app {
 namespace {
@@ -19,6 +23,25 @@ using video::OutputFormat;
 constexpr auto is_video = &OutputFormat::is_video;
 constexpr auto is_animation = &OutputFormat::is_animated_image;
 constexpr auto keeps_alpha = &OutputFormat::keeps_alpha;
+
+/// The formats of opaque videos for each largest number of their scale of quality.
+std::map<int, std::vector<std::string>> quality_scales() {
+  std::map<int, std::vector<std::string>> scales;
+  for (const OutputFormat& format : video::output_formats()) {
+    if (format.has_quality(false))
+      scales[format.opaque.codec->most_crf].push_back(format.extension());
+  }
+  return scales;
+}
+
+/// "0 to 51 for .mp4, .mov, .mkv; 0 to 63 for .webm".
+std::string quality_ranges() {
+  std::vector<std::string> ranges;
+  for (const auto& [most, extensions] : quality_scales()) {
+    ranges.push_back(fmt::format("0 to {} for {}", most, fmt::join(extensions, ", ")));
+  }
+  return fmt::format("{}", fmt::join(ranges, "; "));
+}
 
 }  // namespace
 
@@ -50,6 +73,19 @@ void VideoOptions::add_to(CLI::App& command, const std::string& standard) {
       ->group(heading(OptionGroup::film));
   command.add_flag("--no-chapters", no_chapters, "make no chapters")
       ->group(heading(OptionGroup::film));
+  command
+      .add_option(
+          "--encode", effort,
+          "effort of the encoder at the same quality: fast takes less processor time, small "
+          "makes a smaller file")
+      ->check(one_of("--encode", enumerator_names<video::Effort>()))
+      ->type_name("NAME")
+      ->default_str(std::string(enumerator_name(video::Effort::balanced)))
+      ->group(heading(OptionGroup::film));
+  command.add_option("--crf", crf, "quality of the video, smaller is better: " + quality_ranges())
+      ->type_name("N")
+      ->default_str("depends on the format and --encode")
+      ->group(heading(OptionGroup::film));
 }
 
 video::Container VideoOptions::container(const std::filesystem::path& film) const {
@@ -69,6 +105,15 @@ bool VideoOptions::chapters_in(video::Container in) const {
         "leave it out, or choose " + listed(format_texts(&OutputFormat::ending, is_video), "or"));
   }
   return has_chapters && !no_chapters;
+}
+
+video::Quality VideoOptions::quality() const {
+  video::Quality quality;
+  if (!effort.empty()) quality.effort = find_enumerator<video::Effort>(effort, "--encode");
+  // The codec of the video may have a smaller range, which it checks.
+  const double most = quality_scales().rbegin()->first;
+  if (!crf.empty()) quality.crf = parse_whole(crf, "--crf", {0, most});
+  return quality;
 }
 
 void VideoOptions::require_free_output(const std::string& progress) const {

@@ -7,10 +7,10 @@
 
 namespace twrench::app {
 
-/// The options for the destination, container and chapters of a video.
+/// The options for the destination, container, chapters and quality of a video.
 struct VideoOptions {
-  /// Adds --output, --container, --chapters and --no-chapters. `standard` is the default output
-  /// shown in the help, if any.
+  /// Adds --output, --container, --chapters, --no-chapters, --encode and --crf. `standard` is the
+  /// default output shown in the help, if any.
   void add_to(CLI::App& command, const std::string& standard);
 
   bool is_streamed() const { return output == "-"; }
@@ -22,6 +22,12 @@ struct VideoOptions {
   /// a container that supports none.
   bool chapters_in(video::Container container) const;
 
+  /// Returns whether an effort or a quality is given.
+  bool has_quality() const { return !effort.empty() || !crf.empty(); }
+
+  /// Returns the given effort and quality. Throws InvalidArgument if the quality is no integer.
+  video::Quality quality() const;
+
   /// Throws InvalidArgument if the video should go to standard output but cannot: it is a terminal,
   /// or `progress` uses it.
   void require_free_output(const std::string& progress) const;
@@ -30,6 +36,8 @@ struct VideoOptions {
   std::string container_name;  ///< May be empty.
   bool chapters = false;
   bool no_chapters = false;
+  std::string effort;  ///< May be empty, like the next.
+  std::string crf;
 };
 
 }  // namespace twrench::app
