@@ -204,10 +204,10 @@ TEST(Interior, InertiaPrintsNothingThatAppliesOnlyToARigidBody) {
   EXPECT_THAT(text.out, Not(HasSubstr("2 E T")));
   const json document = json::parse(run_twrench(folder, "inertia s.toml --format json").out);
   EXPECT_FALSE(document.contains("stability"));
-  EXPECT_NEAR(document["phase"]["total"].get<double>(),
-              document["phase"]["dynamic"].get<double>() +
-                  document["phase"]["geometric"].get<double>(),
-              1e-12);
+  EXPECT_NEAR(
+      document["phase"]["total"].get<double>(),
+      document["phase"]["dynamic"].get<double>() + document["phase"]["geometric"].get<double>(),
+      1e-12);
   std::ofstream(folder / "s.toml", std::ios::app) << "energy_loss_time = 50\n";
   const json lossy = json::parse(run_twrench(folder, "inertia s.toml --format json").out);
   EXPECT_FALSE(lossy.contains("phase"));
