@@ -48,6 +48,13 @@ scene.export("a.glb", format="glb", max_angle=1e-3)
 passes: bool = twrench.check(motion, body, units="deg").passes
 share: float | None = twrench.compare("a", "b", metric="ssim").frames[0].share
 scene.render("a.mp4", container="mp4", encode="small", crf=20, progress=lambda done, total: print(done))
+scene.render(frames_dir="frames", shard=(1, 4), egl_device="software")
+print(scene.simulate(span=(0, 1), fps=4).t.max())
+text: str = twrench.check(motion, body, plot="a.svg", time_unit="ns").text
+twrench.compare("a", "b").junit.encode()
+twrench.study(body, [1, 0, 0], duration=1, attitude=motion.rotation, plot="a.svg")
+for path in (twrench.plot("a.svg", ["phone", scene]), twrench.report("a.md", ["phone"], fps=24)):
+    print(path.name)
 """
 
 #: Calls that a type checker must reject, one per line.
@@ -69,6 +76,11 @@ Scene().export("a.glb", format="gltf")
 twrench.check("a.csv", units="hz")
 twrench.compare("a", "b", metric="psnr")
 Scene().render("a.mp4", encode="slow")
+twrench.check("a.csv", time_unit="days")
+twrench.check("a.csv", angle_units="rev")
+Scene().render(frames_dir="frames", shard="1/4")
+Scene().render(frames_dir="frames", egl_device="hardware")
+twrench.plot("a.svg", [4])
 """
 
 
