@@ -24,6 +24,8 @@ void FlipSearch::visit(const motion::AcceptedStep& step) {
   }
   const double before = component(step.before), after = component(step.after);
   last_ = step.t;
+  // A method that leaves SO(3) may reach a singular X, for which the component is not finite.
+  if (!std::isfinite(before) || !std::isfinite(after)) return;
   if (sign_ == 0.0 && before != 0.0) sign_ = std::copysign(1.0, before);
   if (sign_ * after < 0.0) {
     times_.push_back(before == 0.0 ? step.t : step.t + root(step, before, after));
@@ -33,7 +35,8 @@ void FlipSearch::visit(const motion::AcceptedStep& step) {
 
 double FlipSearch::root(const motion::AcceptedStep& step, double at_start, double at_end) const {
   const auto f = [&](double length) {
-    return component(motion::take_step(body_, method_, step.before, length).X);
+    const double value = component(motion::take_step(body_, method_, step.before, length).X);
+    return std::isfinite(value) ? value : at_end;  // the search needs numbers, as in visit()
   };
   const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 3);
   std::uintmax_t iterations = 100;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <twrench/motion/error.h>
 #include <twrench/motion/exact.h>
 #include <twrench/study/flip_search.h>
 
@@ -45,6 +46,22 @@ TEST(FlipSearch, FindsThemBetweenLongStepsOfAMethod) {
     const std::vector<double> seen = flips_seen(wrench, method, step, 90);
     ASSERT_EQ(seen.size(), predicted.size());
     for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_NEAR(seen[i], predicted[i], 1e-8);
+  }
+}
+
+TEST(FlipSearch, PassesASingularAttitudeOfAMethodThatLeavesTheGroup) {
+  // Toutatis, whose moments are huge. Euler's X grows beyond 1e20 and becomes singular.
+  const Eigen::Matrix3d inertia{
+      {8.62405565422451e+25, 8.802463825757149e+21, 1.9640458339687876e+23},
+      {8.802463825757149e+21, 2.8619637482337367e+25, 5.140926132774462e+22},
+      {1.9640458339687876e+23, 5.140926132774462e+22, 9.128647695728283e+25}};
+  for (int i = 0; i < 200; ++i) {
+    const motion::FreeBody toutatis(inertia, {0.999238 + 1e-6 * i, 0.050118, -0.038878});
+    try {
+      for (const double t : flips_seen(toutatis, "euler", 0.2, 200)) EXPECT_TRUE(std::isfinite(t));
+    } catch (const motion::MotionError& error) {
+      EXPECT_EQ(error.reason(), motion::MotionError::Reason::diverged);
+    }
   }
 }
 
