@@ -5,6 +5,7 @@
 #include <twrench/motion/exact.h>
 #include <twrench/motion/exact_many.h>
 #include <twrench/motion/polhode.h>
+#include <twrench/motion/stability.h>
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Geometry>
@@ -128,6 +129,16 @@ Array first_flip_times(const Array& inertia, const Array& omega) {
   return first;
 }
 
+/// The kind and the rate of a rotation about each principal axis.
+py::list stability(const Vector3d& moments, double omega) {
+  py::list all;
+  for (const auto axis : body::PrincipalAxes::all) {
+    const motion::Stability found = motion::stability(moments, axis, omega);
+    all.append(py::make_tuple(enumerator_name(found.kind), found.rate));
+  }
+  return all;
+}
+
 /// The points of a closed curve at evenly spaced phi from 0 to 2 pi, (n, 3).
 template <class Place>
 Array points_of(const Place& place) {
@@ -246,6 +257,8 @@ void add_dynamics(py::module_& module) {
   module.def("exact_many", &exact_many);
   module.def("first_flip_times", &first_flip_times);
   module.def("level_curves", &level_curves);
+  module.def("stability", &stability);
+  module.def("stabilizing_wheel", &motion::stabilizing_wheel);
   module.def("separatrix_curves", &separatrix_curves);
   module.def("diagnose", &diagnose);
   module.def("quaternions", &quaternions);

@@ -6,7 +6,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0 unless an ``attit
 
 from . import plots
 from ._native import version as __version__
-from .body import Body
+from .body import Body, Stability
 from .check import Check, CheckOrder, Checks, ErrorSize, check
 from .compare import Comparison, FrameComparison, compare
 from .errors import (
@@ -71,6 +71,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "Sphere",
+    "Stability",
     "Study",
     "StudyRun",
     "Torus",

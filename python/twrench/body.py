@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import warnings
-from typing import Protocol, Sequence
+from dataclasses import dataclass
+from typing import Literal, Protocol, Sequence, cast
 
 from . import _arguments, _native
 from ._arguments import Array
@@ -11,7 +13,28 @@ from .errors import UsageError
 from .names import Numbers, Rows, ShapeName, StrPath
 from .solids import Part, native_parts
 
-__all__ = ["Body"]
+__all__ = ["Body", "Stability"]
+
+
+@dataclass(frozen=True)
+class Stability:
+    """What a small tilt of a steady rotation about a principal axis does (docs/theory.md)."""
+
+    #: ``unstable``: it grows as exp(rate t); ``stable``: it wobbles as cos(rate t); ``neutral``:
+    #: neither, because another axis has the same moment, or the body is at rest.
+    kind: Literal["unstable", "stable", "neutral"]
+    #: Rate of growth in 1/s or angular frequency in rad/s; 0 if neutral.
+    rate: float
+
+    @property
+    def doubling_time(self) -> float:
+        """The time in s in which an unstable tilt doubles; infinite otherwise."""
+        return math.log(2) / self.rate if self.kind == "unstable" else math.inf
+
+    @property
+    def period(self) -> float:
+        """The time in s of one turn of a stable wobble; infinite otherwise."""
+        return 2 * math.pi / self.rate if self.kind == "stable" else math.inf
 
 
 class HasBody(Protocol):
@@ -111,7 +134,33 @@ class Body:
         """Rotation body_from_principal, (3, 3): column i is the axis of ``principal_moments[i]``."""
         return self._native.axes
 
+    def stability(self, omega: float = 1.0) -> tuple[Stability, Stability, Stability]:
+        """The stability of a steady rotation at ``omega`` rad/s about each principal axis, in the
+        order of ``principal_moments``.
+
+        :raises UsageError: if ``omega`` is not finite.
+
+        >>> [axis.kind for axis in Body(moments=[3, 4, 5]).stability()]
+        ['stable', 'unstable', 'stable']
+        """
+        rate = _arguments.number("omega", omega)
+        least, middle, greatest = _native.stability(self.principal_moments, rate)
+        return _stability(*least), _stability(*middle), _stability(*greatest)
+
+    def stabilizing_wheel(self, omega: float = 1.0) -> float:
+        """The angular momentum in g cm^2/s above which a wheel along the intermediate axis makes a
+        rotation at ``omega`` rad/s about that axis stable.
+
+        :raises UsageError: if ``omega`` is not finite.
+        """
+        rate = _arguments.number("omega", omega)
+        return _native.stabilizing_wheel(self.principal_moments, rate)
+
     def __repr__(self) -> str:
         moments = ", ".join(f"{moment:.6g}" for moment in self.principal_moments)
         mass = "" if self.mass != self.mass else f"mass {self.mass:.6g} g, "
         return f"<twrench.Body: {mass}principal moments {moments} g cm^2>"
+
+
+def _stability(kind: str, rate: float) -> Stability:
+    return Stability(cast(Literal["unstable", "stable", "neutral"], kind), rate)

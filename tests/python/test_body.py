@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
@@ -110,3 +111,18 @@ def test_a_wrong_body_is_refused_by_the_name_of_the_argument(make, message):
 def test_it_shows_what_it_is():
     assert repr(Body(moments=[1, 2, 3])) == "<twrench.Body: principal moments 1, 2, 3 g cm^2>"
     assert "mass 252.584 g" in repr(twrench.Scene().body)
+
+
+def test_stability_is_that_of_the_command(program):
+    body = Body.from_scene("t-handle")
+    expected = json.loads(program("inertia", "t-handle", "--format", "json"))["stability"]
+    for found, known in zip(body.stability(), expected):
+        assert (found.kind, found.rate) == (known["kind"], known["rate"])
+        assert found.doubling_time == known.get("doubling_time", math.inf)
+        assert found.period == known.get("period", math.inf)
+    middle = body.stability(-3)[1]
+    assert middle.rate == pytest.approx(3 * expected[1]["rate"], rel=1e-15)
+    assert body.stabilizing_wheel() == expected[1]["stabilizing_wheel"]
+    assert [axis.kind for axis in Body(moments=[2, 2, 2]).stability()] == ["neutral"] * 3
+    with pytest.raises(twrench.UsageError, match="omega"):
+        body.stability(math.nan)
