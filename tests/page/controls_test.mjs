@@ -230,6 +230,19 @@ const tests = {
     }
   },
 
+  async 'the scene file of meshes, solid or a wall, can be read'() {
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${(i >> 1) & 1} ${2 * (i >> 2)}`);
+    const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`);
+    writeFileSync(join(folder, 'box.obj'), [...corners, ...faces, ''].join('\n'));
+    const part = '[[part]]\nshape = "mesh"\nfile = "box.obj"\nunit = "cm"\ndensity = 2\n';
+    writeFileSync(join(folder, 'box.toml'), `${part}${part}shell = 0.1\nposition = [3, 0, 0]\n`);
+    const { page, quiet } = await open(labOf('box.html', join(folder, 'box.toml')), still);
+    writeFileSync(join(folder, 'copied-box.toml'), await copied(page, '#copy-scene'));
+    const moments = (name) => JSON.parse(twrench('inertia', join(folder, name), '--format', 'json')).principal_moments;
+    assert.deepEqual(moments('copied-box.toml'), moments('box.toml'));
+    quiet();
+  },
+
   async 'the page of a story gives its command, and the scene file for what is shown'() {
     const { page, quiet } = await open(labOf('story.html', 'explain'), { ...still, hash: '#omega=0.5,1.25,0.375' });
     const lines = (await copied(page, '#copy-command')).split('\n');

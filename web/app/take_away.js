@@ -136,6 +136,11 @@ function toml(value) {
 const tomlTable = (head, table) =>
   [head, ...Object.entries(table).map(([key, value]) => `${key} = ${toml(value)}`), ''].join('\n');
 
+/** The keys of a part that a scene file may have. A mesh without a wall is a solid. @param {Record<string, any>} part */
+function partTable({ sha256, shell, ...rest }) {
+  return shell ? { ...rest, shell } : rest;
+}
+
 /**
  * The scene file of this motion.
  * @param {State} state @param {PageData} data @param {string} theme @param {MotionModel} model
@@ -152,7 +157,7 @@ export function sceneFile(state, data, theme, model) {
   ];
   if (state.moments) texts.push(tomlTable('[body]', { moments: state.moments }));
   else if (body) texts.push(tomlTable('[body]', body));
-  else for (const each of part ?? []) texts.push(tomlTable('[[part]]', each));
+  else for (const each of part ?? []) texts.push(tomlTable('[[part]]', partTable(each)));
   for (const [key, table] of Object.entries(tables)) {
     if (table && typeof table === 'object' && !Array.isArray(table)) texts.push(tomlTable(`[${key}]`, table));
   }
