@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 #include <twrench/base/error.h>
+#include <twrench/motion/exact.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "embedded/page.h"
 #include "page/page_json.h"
 #include "page/template_filling.h"
+#include "scene/limits.h"
+#include "scene/natural_times.h"
 #include "scene/scene_json.h"
 #include "system/file.h"
 #include "text/xml.h"
@@ -36,6 +40,41 @@ std::string scene_html(const PageScene& scene, const Surface& surface) {
   return "<script type=\"application/json\" id=\"scene\">" + data + "</script>";
 }
 
+/// The times of a film with shots suit its shots, which a page leaves out. An energy loss is shown
+/// for as long as in the film.
+void set_times_without_shots(scene::Scene& scene) {
+  if (scene.shots.empty() || !scene.motion.is_rigid()) return;
+  using scene::Origin;
+  for (const auto member : {&scene::Origins::duration, &scene::Origins::speed}) {
+    Origin& origin = scene.origins.*member;
+    if (origin == Origin::scene) origin = Origin::none;
+  }
+  scene::set_natural_times(scene);
+}
+
+double within(const scene::limits::Limit& limit, double value) {
+  return std::clamp(value, limit.low, limit.high);
+}
+
+/// Changes the times that the user did not give: the timeline shows three to five times between
+/// flips, and each takes 2 to 10 s. The page rounds a speed to a power of 2 from 0.55 to 1.1 times
+/// of it (web/app/state.js).
+void suit_flips(scene::Scene& scene) {
+  const motion::FreeBody body = scene::free_body(scene);
+  if (!body.is_rigid()) return;
+  const auto flips = motion::ExactMotion(body).flips();
+  if (!flips || !flips->turns_over() || !std::isfinite(flips->interval)) return;
+  const double interval = flips->interval;
+  double &duration = scene.motion.duration, &speed = scene.film.speed;
+  if (scene.origins.duration != scene::Origin::user) {
+    duration = within(scene::limits::duration, std::clamp(duration, 3 * interval, 5 * interval));
+  }
+  if (scene.origins.speed != scene::Origin::user) {
+    speed =
+        within(scene::limits::speed, std::clamp(speed, interval / 10 / 0.55, interval / 2 / 1.1));
+  }
+}
+
 }  // namespace
 
 std::string page_template(const std::string& file) {
@@ -54,6 +93,8 @@ std::string page_template(const std::string& file) {
 scene::Scene shown_scene(scene::Scene scene) {
   const std::vector<Eigen::Vector3d>& wheels = scene.overlay.compare_wheel;
   if (!scene.motion.wheel && !wheels.empty()) scene.motion.wheel = wheels.back();
+  set_times_without_shots(scene);
+  suit_flips(scene);
   return scene;
 }
 

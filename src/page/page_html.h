@@ -34,7 +34,9 @@ struct PageDocument {
 };
 
 /// Returns the scene whose motion a page shows. If a film compares wheels, its page begins with the
-/// last of them, unless the scene has its own.
+/// last of them, unless the scene has its own. Unless the user gave them, the times of a film with
+/// shots are natural, the motion lasts for three to five times between flips, and each of them
+/// takes seconds.
 scene::Scene shown_scene(scene::Scene scene);
 
 /// Throws InvalidArgument if a page would compute a different motion. page_html() does the same,
