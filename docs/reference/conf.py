@@ -32,6 +32,7 @@ autodoc_type_aliases = {
         "Attitude",
         "BackendName",
         "ContainerName",
+        "EffortName",
         "FeatureName",
         "FrameSource",
         "FrameName",
