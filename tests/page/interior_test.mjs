@@ -164,12 +164,10 @@ const tests = {
     }
     await page.$eval('#sphere', (view) => view.scrollIntoView());
     await settle(page);
-    const sphere = () => page.$eval('#sphere canvas', (canvas) => canvas.toDataURL());
-    const plain = await sphere();
+    const plain = await page.$eval('#sphere canvas', (canvas) => canvas.toDataURL());
     await page.click('#show label:has([data-word=feature_phase]) input');
     await page.waitForFunction(() => location.hash.includes('phase'));
-    await settle(page);
-    assert.notEqual(await sphere(), plain);
+    await page.waitForFunction((before) => document.querySelector('#sphere canvas').toDataURL() !== before, {}, plain);
     const command = await copied(page, '#copy-command');
     assert.match(command, /--show phase/);
     const words = command.split(' ').slice(1, -2);
