@@ -27,12 +27,18 @@ ThetaConstants theta_constants(double q) {
 
 }  // namespace
 
+/// Carlson's R_F. It is not inlined and has external linkage, so that no compiler evaluates Boost's
+/// code for a constant argument: Clang 19 of Debian 13 crashes if it does so in WebAssembly's long
+/// double.
+[[gnu::noinline]] double carlson_rf(double x, double y, double z);
+double carlson_rf(double x, double y, double z) { return boost::math::ellint_rf(x, y, z); }
+
 double complete_first(double mc) { return incomplete_first(1, 0, mc); }
 
 double incomplete_first(double s, double c, double mc) {
   const double delta2 = c * c + mc * s * s;
   if (delta2 == 0) return std::copysign(std::numeric_limits<double>::infinity(), s);
-  return s * boost::math::ellint_rf(c * c, delta2, 1.0);
+  return s * carlson_rf(c * c, delta2, 1.0);
 }
 
 Jacobi::Jacobi(double m, double mc, double eta_prime) : K_(complete_first(mc)) {

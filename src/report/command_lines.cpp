@@ -21,7 +21,8 @@ Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& 
   words.insert(words.end(), motion_options.begin(), motion_options.end());
   const std::string motion = system::shell_command(words);
   const std::string study = "twrench study " + motion, plot = "twrench plot " + motion;
-  const motion::Method& reference = motion::reference_method(scene::free_body(scene));
+  const motion::FreeBody free_body = scene::free_body(scene);
+  const motion::Method& reference = motion::reference_method(free_body);
   const std::vector<std::string> output{"-o", "components-" + scene.name + ".svg"};
   const std::string file = system::shell_command(output);
   const motion::StepControl& control = scene.motion.control;
