@@ -93,7 +93,7 @@ def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: float | N
 
 
 def _span_times(span: ArrayLike, fps: float) -> Array:
-    start, end = array("span", span, (2,), "two times in s, (start, end)").tolist()
+    start, end = map(float, array("span", span, (2,), "two times in s, (start, end)"))
     if not start < end:
         raise UsageError(f"span: must end after it starts, not {brief(span)}")
     most = MOST_NUMBERS // 3
