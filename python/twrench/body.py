@@ -18,7 +18,7 @@ __all__ = ["Body", "Stability"]
 
 @dataclass(frozen=True)
 class Stability:
-    """What a small tilt of a steady rotation about a principal axis does (docs/theory.md)."""
+    """The behaviour of a small tilt of a steady rotation about a principal axis (docs/theory.md)."""
 
     #: ``unstable``: it grows as exp(rate t); ``stable``: it wobbles as cos(rate t); ``neutral``:
     #: neither, because another axis has the same moment, or the body is at rest.

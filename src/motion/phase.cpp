@@ -5,13 +5,11 @@
 #include <twrench/motion/stepper.h>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "motion/reference_motion.h"
+#include "motion/root.h"
 
 namespace twrench::motion {
 namespace {
@@ -64,11 +62,7 @@ class PathOfMomentum {
     const double before = ahead(step.before), after = ahead(step.after);
     if (step.t == 0 || !(before < 0) || after < 0) return std::nullopt;
     const auto at = [&](double length) { return ahead(attitude(step, length)); };
-    const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 3);
-    std::uintmax_t iterations = 100;
-    const auto [low, high] =
-        boost::math::tools::toms748_solve(at, 0.0, step.length, before, after, tight, iterations);
-    const double length = low + 0.5 * (high - low);
+    const double length = root_within(at, step.length, before, after);
     // The path may cross the plane elsewhere. Near a saddle it is slow, and has another branch
     // near.
     constexpr double near = 1e-3;

@@ -1,12 +1,10 @@
 #include <twrench/motion/stepper.h>
 #include <twrench/study/flip_search.h>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include "base/require.h"
+#include "motion/root.h"
 
 namespace twrench::study {
 
@@ -24,7 +22,7 @@ void FlipSearch::visit(const motion::AcceptedStep& step) {
   }
   const double before = component(step.before), after = component(step.after);
   last_ = step.t;
-  // A method that leaves SO(3) may reach a singular X, for which the component is not finite.
+  // A method that leaves SO(3) may reach a singular X. The component is then not finite.
   if (!std::isfinite(before) || !std::isfinite(after)) return;
   if (sign_ == 0.0 && before != 0.0) sign_ = std::copysign(1.0, before);
   if (sign_ * after < 0.0) {
@@ -38,11 +36,7 @@ double FlipSearch::root(const motion::AcceptedStep& step, double at_start, doubl
     const double value = component(motion::take_step(body_, method_, step.before, length).X);
     return std::isfinite(value) ? value : at_end;  // the search needs numbers, as in visit()
   };
-  const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 3);
-  std::uintmax_t iterations = 100;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(f, 0.0, step.length, at_start, at_end, tight, iterations);
-  return low + 0.5 * (high - low);
+  return motion::root_within(f, step.length, at_start, at_end);
 }
 
 }  // namespace twrench::study

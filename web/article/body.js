@@ -58,8 +58,8 @@ export class Body {
   }
 
   /**
-   * A time constant of an energy loss, s, with which a rotation about the axis of least moment ends soon. It
-   * is above the threshold of docs/theory.md.
+   * The time constant of the energy loss, s. It is above the threshold of docs/theory.md, and so short that a
+   * rotation about the axis of least moment ends soon.
    */
   get lossTime() {
     const [least, middle, greatest] = this.facts.moments,
