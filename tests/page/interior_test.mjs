@@ -167,6 +167,7 @@ const tests = {
     const plain = await page.$eval('#sphere canvas', (canvas) => canvas.toDataURL());
     await page.click('#show label:has([data-word=feature_phase]) input');
     await page.waitForFunction(() => location.hash.includes('phase'));
+    await page.$eval('#sphere', (view) => view.scrollIntoView()); // the click scrolled it away, and hidden views are not drawn
     await page.waitForFunction((before) => document.querySelector('#sphere canvas').toDataURL() !== before, {}, plain);
     const command = await copied(page, '#copy-command');
     assert.match(command, /--show phase/);
