@@ -22,6 +22,19 @@ std::vector<std::uint32_t> first_at_each_place(std::span<const Vertex> vertices)
                      [&](std::uint32_t i, std::uint32_t j) { return place(i) < place(j); });
 }
 
+/// The way, in half pixels, by which a shift moves a vertex.
+glm::vec3 way(const Shift& shift) {
+  if (shift.offset == 0) return glm::vec3(0);
+  const float length = glm::length(shift.direction);
+  return shift.direction * (shift.offset * std::max(1 / length, 1.0F));
+}
+
+/// The shift that moves a vertex by this way, in half pixels.
+Shift shift_by(const glm::vec3& way) {
+  const float length = glm::length(way);
+  return length < 1 ? Shift{way / std::max(length, 1e-6F), length} : Shift{way, 1};
+}
+
 }  // namespace
 
 Silhouette::Silhouette(const Mesh& mesh, PartIntersections intersections)
@@ -119,6 +132,7 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
     } else {
       for (std::size_t k = begin.vertex_end; k < part.vertex_end; ++k) shifts_[k].offset = 0;
     }
+    shrink(begin, part, eye, scale);
     for (const Edge& edge : outline_) add_edge_quad(edge);
     for (const Edge& edge : creases_) {
       add_crease_quad(edge.half_edge, eye);
@@ -126,7 +140,6 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
     }
     for (const IntersectionEdge& edge : intersections_[i]) add_intersection_quad(edge, eye);
     part_ends_.push_back(indices_.size());
-    shrink(begin, part, eye, scale);
     begin = part;
   }
 }
@@ -202,15 +215,17 @@ void Silhouette::add_edge_quad(const Edge& edge) {
   add_quad({corner(from, -1), corner(from, 1), corner(to, -1), corner(to, 1)});
 }
 
-/// Adds a quad in which a triangle fades out beyond one of its edges.
+/// Adds a quad in which a triangle fades out beyond one of its edges. Like the triangle, it begins
+/// where the ends of the edge are moved to.
 void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) {
-  const EdgeQuadVertex from = quad_vertex(corners_[half_edge]);
-  const EdgeQuadVertex to = quad_vertex(corners_[next_half_edge(half_edge)]);
-  const glm::vec3 outward = glm::cross(from.position - eye, to.position - from.position);
+  const std::uint32_t from = corners_[half_edge], to = corners_[next_half_edge(half_edge)];
+  const glm::vec3 start = vertices_[from].position;
+  const glm::vec3 outward = glm::cross(start - eye, vertices_[to].position - start);
   const float length = glm::length(outward);
   if (length == 0) return;
-  const auto corner = [&](EdgeQuadVertex vertex, float side) {
-    vertex.shift = {outward / length, side};
+  const auto corner = [&](std::uint32_t end, float side) {
+    EdgeQuadVertex vertex = quad_vertex(end);
+    vertex.shift = shift_by(way(shifts_[end]) + side * outward / length);
     vertex.transparency = 0.5F + 0.5F * side;
     vertex.lift = 1;  // over the other triangle, where that rises towards the eye
     return vertex;

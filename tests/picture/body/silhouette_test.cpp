@@ -161,17 +161,34 @@ TEST(Silhouette, LeavesOutEdgesInHollows) {
   EXPECT_GT(outline.indices().size(), 0U);
 }
 
+/// The way by which a vertex is moved, in half pixels.
+glm::vec3 way(const Shift& shift) {
+  const float length = std::max(glm::length(shift.direction), 1e-9F);
+  return shift.offset * std::max(length, 1.0F) / length * shift.direction;
+}
+
 // Three faces of a box are visible. Along each edge between two of them, each fades out over the
-// other by half a pixel.
+// other by half a pixel. The edges end on the outline, where the faces are shrunk, and so begin
+// where these are moved to.
 TEST(Silhouette, HasTwoQuadsForEachCreaseThatIsSeen) {
-  Silhouette outline = silhouette_of(mesh_of_triangles(box_of_triangles({2, 2, 2})));
+  const Mesh mesh = mesh_of_triangles(box_of_triangles({2, 2, 2}));
+  Silhouette outline = silhouette_of(mesh);
   outline.find({9, 8, 7}, 30);
   EXPECT_EQ(outline.indices().size(), 6U * (6 + 2 * 3));
-  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
-    if (corner.lift == 0) continue;
-    EXPECT_GE(corner.shift.offset, 0);
-    EXPECT_EQ(corner.transparency, 0.5F + 0.5F * corner.shift.offset);
+  int moved = 0;
+  for (std::size_t i = 0; i < outline.edge_quads().size(); i += 2) {
+    const EdgeQuadVertex &inner = outline.edge_quads()[i], &outer = outline.edge_quads()[i + 1];
+    if (inner.lift == 0) continue;
+    EXPECT_EQ(inner.transparency, 0.5F);
+    EXPECT_EQ(outer.transparency, 1.0F);
+    EXPECT_NEAR(glm::distance(way(inner.shift), way(outer.shift)), 1, 1e-5F);
+    for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
+      if (mesh.vertices[k].position != inner.position) continue;
+      EXPECT_LT(glm::distance(way(inner.shift), way(outline.shifts()[k])), 1e-5F);
+      moved += outline.shifts()[k].offset == 0 ? 0 : 1;
+    }
   }
+  EXPECT_GT(moved, 0);
 }
 
 // A column through a cube. From above, the eye sees two of the four edges where it enters.
