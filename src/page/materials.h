@@ -10,8 +10,10 @@ namespace twrench::page {
 struct PartMaterial {
   /// The look of the part.
   scene::PartLook look;
-  /// Whether its vertices have their own colours.
-  bool is_colored;
+  /// Whether it is a mesh, whose vertices have colours: at least their shade.
+  bool is_mesh;
+  /// Whether the mesh has colours of its own.
+  bool has_own_colors;
 };
 
 /// The materials of a body.

@@ -4,6 +4,7 @@
 
 #include "picture/body/bounding_radius.h"
 #include "picture/body/gap_closing.h"
+#include "picture/body/hollows.h"
 
 namespace twrench::page {
 namespace {
@@ -46,6 +47,7 @@ Surface surface_of(const scene::Body& body) {
   }
   surface.mesh = fine_mesh(surface.parts, looks, surface.radius);
   surface.simplification = simplify(surface.mesh, surface.parts, most_triangles);
+  picture::shade_hollows(surface.mesh);
   return surface;
 }
 

@@ -68,13 +68,11 @@ ordered_json page_json(const picture::ThemeStyle& style) {
 }
 
 ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
-  const picture::Material material = picture::material(look, part.look, part.is_colored);
+  const picture::Material material = picture::material(look, part.look, part.has_own_colors);
   const glm::vec3 tint = material.diffuse + material.reflectance;
-  const bool is_metal =
-      part.is_colored ? material.metalness == 1 : material.diffuse == glm::vec3(0);
   return {{"constants", picture::shader_constants(material, picture::style_of(look.theme).studio)},
-          {"metal", is_metal},
-          {"colored", part.is_colored},
+          {"metal", material.diffuse == glm::vec3(0)},
+          {"colored", part.is_mesh},
           {"tint", {tint.x, tint.y, tint.z}}};
 }
 

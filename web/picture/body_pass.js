@@ -76,7 +76,7 @@ export class BodyPass {
   constructor(gl, core, surface, materials) {
     this.gl = gl;
     this.surface = surface;
-    const tints = surface.parts.map(({ material, tint }) => tint ?? materials[material].tint);
+    const tints = surface.parts.map(({ material, tint }) => materials[material].tint.map((x, i) => x * (tint?.[i] ?? 1)));
     this.own = new CoreSurface(core, surface, tints);
     const ofOneMaterial = materials.length === 1 && !materials[0].colored;
     this.programs = materials.map((material) => programOf(gl, surface, material, ofOneMaterial));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "picture/body/gap_closing.h"
+#include "picture/body/hollows.h"
 #include "picture/look/theme.h"
 #include "picture/shapes/shapes.h"
 #include "picture/space/glm_from_eigen.h"
@@ -52,7 +53,8 @@ std::vector<PartModel> part_models(std::span<const body::Part> parts, const Mesh
 }
 
 glm::vec3 BodyModel::tint(std::size_t part) const {
-  return parts[part].mean_color.value_or(materials[part].diffuse + materials[part].reflectance);
+  const Material& own = materials[part];
+  return parts[part].mean_color.value_or(glm::vec3(1)) * (own.diffuse + own.reflectance);
 }
 
 std::size_t most_occluders(std::span<const PartModel> parts) {
@@ -86,9 +88,10 @@ BodyModel body_model(const scene::Scene& scene, double tolerance, double radius)
     looks.push_back(scene::description(scene.body, i).look);
   }
   Mesh mesh = body_mesh(parts, tolerance, looks);
+  shade_hollows(mesh);
   std::vector<Material> materials;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    materials.push_back(material(scene.look, looks[i], mesh.is_colored[i] != 0));
+    materials.push_back(material(scene.look, looks[i], has_own_colors(parts[i])));
   }
   return body_model(parts, std::move(mesh), radius, std::move(materials),
                     style_of(scene.look.theme).studio);

@@ -41,7 +41,8 @@ std::string shader_constants(const Material& material, const Studio& studio) {
   using glm::length, glm::normalize;
   using Light = const AreaLight&;
   const AmbientLight ambient = ambient_light(studio);
-  return constant("vec3", "diffuse", material.diffuse) +
+  return constant("vec3", "base_color", material.color) +
+         constant("vec3", "diffuse", material.diffuse) +
          constant("vec3", "reflectance", material.reflectance) +
          constant("float", "roughness", material.roughness) +
          constant("float", "brushing", material.brushing) +

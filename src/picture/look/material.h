@@ -14,6 +14,8 @@ inline constexpr double dielectric_reflectance = 0.04;
 
 /// The material of the body, as the shader needs it.
 struct Material {
+  /// Linear colour, by which the colours of vertices are multiplied.
+  glm::vec3 color;
   /// Linear diffuse albedo; black for metals.
   glm::vec3 diffuse;
   /// Linear reflectance at normal incidence: F0 of Schlick's Fresnel term.
@@ -23,8 +25,8 @@ struct Material {
   float brushing;
   /// Perceptual roughness; its square is alpha of the GGX distribution (Burley 2012).
   float roughness;
-  /// Metalness, 0 (paint) to 1 (metal), which determines how a vertex's own colour is divided
-  /// between diffuse albedo and reflectance.
+  /// Metalness, 0 (paint) to 1 (metal), which determines how a vertex's colour is divided between
+  /// diffuse albedo and reflectance.
   float metalness;
 
   bool operator==(const Material&) const = default;
@@ -36,13 +38,16 @@ struct Finish {
   double roughness;  ///< Roughness, 0.05 (mirror) to 1 (chalk).
 };
 
-/// Returns the finish of a part. Values that are set neither by its look nor by the body's are
-/// those of the theme or, for a mesh with vertex colours, those of plastic.
-Finish finish(const scene::Look& look, const scene::PartLook& part, bool is_colored);
+/// Whether the part is a mesh whose file gives colours of vertices.
+bool has_own_colors(const body::Part& part);
 
-/// Returns the material of a body with that look, or of a part that has its own look or vertex
-/// colours.
+/// Returns the finish of a part. Values that are set neither by its look nor by the body's are
+/// those of the theme or, for a mesh with colours of its own, those of plastic.
+Finish finish(const scene::Look& look, const scene::PartLook& part, bool has_own_colors);
+
+/// Returns the material of a body with that look, or of a part that has its own look or colours;
+/// with these it is white.
 Material material(const scene::Look& look, const scene::PartLook& part = {},
-                  bool is_colored = false);
+                  bool has_own_colors = false);
 
 }  // namespace twrench::picture

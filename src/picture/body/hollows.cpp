@@ -1,0 +1,236 @@
+#include "picture/body/hollows.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "base/parallel.h"
+#include "mesh/triangle_tree.h"
+
+namespace twrench::picture {
+namespace {
+
+using Eigen::Vector3f;
+
+// The same directions at all vertices: the error then varies as smoothly as the surface, whereas
+// random directions would mottle it.
+constexpr std::size_t most_directions = 192;  // over the whole sphere
+constexpr std::size_t least_directions = 48;
+constexpr std::size_t most_rays = 6'000'000;
+constexpr float least_cosine = 0.05F;  // grazing rays would meet the facets of a round surface
+constexpr float usual_albedo = 0.6F;   // of a part without colours of its own
+
+/// Directions spread evenly over the sphere (spherical Fibonacci lattice).
+std::vector<Vector3f> directions_around(std::size_t count) {
+  std::vector<Vector3f> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
+    const double angle = 2 * std::numbers::pi * std::numbers::phi * static_cast<double>(i);
+    const double r = std::sqrt(1 - z * z);
+    result.emplace_back(Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z).cast<float>());
+  }
+  return result;
+}
+
+/// A ray in the coordinates of a tree's boxes.
+struct Ray {
+  Vector3f origin, direction, inverse;
+
+  Ray(const Vector3f& from, const Vector3f& along)
+      : origin(from), direction(along), inverse(along.cwiseInverse()) {}
+
+  bool meets(const Eigen::AlignedBox3f& box) const {
+    const Vector3f a = (box.min() - origin).cwiseProduct(inverse);
+    const Vector3f b = (box.max() - origin).cwiseProduct(inverse);
+    const float enter = std::max(a.cwiseMin(b).maxCoeff(), 0.0F);
+    return enter <= a.cwiseMax(b).minCoeff();
+  }
+};
+
+/// A corner and the two sides that begin there.
+struct Triangle {
+  Vector3f corner, one, other;
+
+  /// Whether the ray meets the outer face (Möller and Trumbore, "Fast, Minimum Storage Ray-Triangle
+  /// Intersection", Journal of Graphics Tools 2 (1997)).
+  bool blocks(const Ray& ray) const {
+    const Vector3f p = ray.direction.cross(other);
+    const float det = one.dot(p);
+    if (det <= 0) return false;  // the inner face
+    const Vector3f to_origin = ray.origin - corner;
+    const float u = to_origin.dot(p);
+    if (u < 0 || u > det) return false;
+    const Vector3f q = to_origin.cross(one);
+    const float v = ray.direction.dot(q);
+    return v >= 0 && u + v <= det && other.dot(q) > 0;
+  }
+};
+
+/// Vertices and indices of a part.
+struct Range {
+  std::size_t first_vertex, vertices_end, begin, end;
+};
+
+Range range_of(const Mesh& mesh, std::size_t part) {
+  return {part == 0 ? 0 : mesh.vertex_ends[part - 1], mesh.vertex_ends[part],
+          part == 0 ? 0 : mesh.part_ends[part - 1], mesh.part_ends[part]};
+}
+
+body::TriangleMesh triangles_of(const Mesh& mesh, const Range& part) {
+  body::TriangleMesh result;
+  for (std::size_t i = part.first_vertex; i < part.vertices_end; ++i) {
+    const glm::dvec3 place(mesh.vertices[i].position);
+    result.vertices.emplace_back(place.x, place.y, place.z);
+  }
+  const auto corner = [&](std::size_t i) {
+    return static_cast<std::uint32_t>(mesh.indices[i] - part.first_vertex);
+  };
+  for (std::size_t i = part.begin; i < part.end; i += 3) {
+    result.triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
+  }
+  return result;
+}
+
+/// The triangles that keep light away.
+class Blockers {
+ public:
+  explicit Blockers(const body::TriangleMesh& mesh) : tree_(mesh) {
+    const auto place = [&](std::uint32_t triangle, std::size_t k) {
+      return local(tree_.corner(triangle, k));
+    };
+    triangles_.reserve(mesh.triangles.size());
+    for (std::size_t leaf = tree_.first_leaf(); leaf < 2 * tree_.first_leaf(); ++leaf) {
+      for (const mesh::TriangleTree::Item& item : tree_.items(leaf)) {
+        const Vector3f corner = place(item.triangle, 0);
+        triangles_.push_back(
+            {corner, place(item.triangle, 1) - corner, place(item.triangle, 2) - corner});
+      }
+    }
+  }
+
+  /// A place in the coordinates of rays.
+  Vector3f local(const Eigen::Vector3d& place) const {
+    return (place - tree_.whole().min()).cast<float>();
+  }
+
+  float size() const { return tree_.box(1).sizes().norm(); }
+
+  bool block(const Ray& ray) const {
+    std::array<std::size_t, 64> waiting{1};  // the tree's depth is at most 31
+    std::size_t count = 1;
+    while (count > 0) {
+      const std::size_t node = waiting.at(--count);
+      const Eigen::AlignedBox3f& box = tree_.box(node);
+      if (box.isEmpty() || !ray.meets(box)) continue;
+      if (!tree_.is_leaf(node)) {
+        waiting.at(count++) = 2 * node;
+        waiting.at(count++) = 2 * node + 1;
+        continue;
+      }
+      if (leaf_blocks(node, ray)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool leaf_blocks(std::size_t leaf, const Ray& ray) const {
+    const auto items = tree_.items(leaf);
+    const auto first =
+        static_cast<std::size_t>(items.data() - tree_.items(tree_.first_leaf()).data());
+    const auto triangles = std::span(triangles_).subspan(first, items.size());
+    return std::ranges::any_of(triangles, [&](const Triangle& each) { return each.blocks(ray); });
+  }
+
+  mesh::TriangleTree tree_;
+  std::vector<Triangle> triangles_;  ///< In the order of the tree's items.
+};
+
+/// Returns for each vertex a place close to it on its triangles. In a crease the vertex itself lies
+/// in the planes of the triangles beyond, which would block nothing.
+std::vector<Eigen::Vector3d> places_of(const body::TriangleMesh& mesh) {
+  constexpr double share = 0.05;  // of the way to the middle of its triangles
+  std::vector<Eigen::Vector3d> sums(mesh.vertices.size(), Eigen::Vector3d::Zero());
+  std::vector<int> counts(mesh.vertices.size());
+  for (const auto& corners : mesh.triangles) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t corner : corners) middle += mesh.vertices[corner] / 3;
+    for (const std::uint32_t corner : corners) {
+      sums[corner] += middle - mesh.vertices[corner];
+      ++counts[corner];
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i] = mesh.vertices[i] + share / std::max(counts[i], 1) * sums[i];
+  }
+  return sums;
+}
+
+/// Returns for each vertex of a part the fraction of the light from all directions above it that
+/// the part does not block, weighted by the cosine to the normal.
+std::vector<float> openness(const Mesh& mesh, const Range& part, std::size_t directions) {
+  const body::TriangleMesh triangles = triangles_of(mesh, part);
+  const Blockers part_blockers(triangles);
+  const std::vector<Eigen::Vector3d> places = places_of(triangles);
+  const std::vector<Vector3f> sphere = directions_around(directions);
+  const float lift = 1e-4F * part_blockers.size();  // off the vertex's own triangles
+  std::vector<float> result(triangles.vertices.size());
+  constexpr std::size_t grain = 256;
+  for_each_part(result.size(), grain, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const glm::vec3& n = mesh.vertices[part.first_vertex + i].normal;
+      const Vector3f normal(n.x, n.y, n.z);
+      const Vector3f origin = part_blockers.local(places[i]) + lift * normal;
+      float open = 0, all = 0;
+      for (const Vector3f& direction : sphere) {
+        const float cosine = normal.dot(direction);
+        if (cosine < least_cosine) continue;
+        all += cosine;
+        if (!part_blockers.block({origin, direction})) open += cosine;
+      }
+      result[i] = open / all;
+    }
+  });
+  return result;
+}
+
+/// The light that reaches a surface in a hollow of this colour.
+glm::vec3 with_reflections(float open, const glm::vec3& color) {
+  const glm::vec3 a = 2.0404F * color - 0.3324F;
+  const glm::vec3 b = -4.7951F * color + 0.6417F;
+  const glm::vec3 c = 2.7552F * color + 0.6903F;
+  return glm::max(glm::vec3(open), ((open * a + b) * open + c) * open);
+}
+
+}  // namespace
+
+void shade_hollows(Mesh& mesh) {
+  std::size_t vertices = 0;
+  for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
+    const Range range = range_of(mesh, part);
+    if (!mesh.clusters[part].empty()) vertices += range.vertices_end - range.first_vertex;
+  }
+  if (vertices == 0) return;
+  const std::size_t directions =
+      std::clamp(2 * most_rays / vertices, least_directions, most_directions);
+  mesh.colors.resize(mesh.vertices.size());
+  for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
+    if (mesh.clusters[part].empty()) continue;
+    const Range range = range_of(mesh, part);
+    const std::vector<float> open = openness(mesh, range, directions);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      glm::vec3& color = mesh.colors[range.first_vertex + i];
+      color = mesh.is_colored[part] == 0 ? with_reflections(open[i], glm::vec3(usual_albedo))
+                                         : color * with_reflections(open[i], color);
+    }
+    mesh.is_colored[part] = 1;
+  }
+}
+
+}  // namespace twrench::picture
