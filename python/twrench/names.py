@@ -30,6 +30,7 @@ FrameName = Literal["space", "body", "rotating"]
 ViewName = Literal["wrench", "momentum", "poinsot", "quad"]
 FeatureName = Literal[
     "floor",
+    "shadow",
     "axes",
     "momentum",
     "omega",

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "image/dither.h"
+#include "picture/compose/layer.h"
 
 namespace twrench::draw {
 namespace {
@@ -176,6 +177,29 @@ class Enlarger {
   std::array<Line, 2> lines_;
 };
 
+/// Returns a soft layer at the resolution of the picture, for pictures with alpha. They are rare,
+/// so this takes several times as long as an Enlarger.
+picture::Layer enlarged(const SoftLayer& layer, const image::Area& area) {
+  picture::Layer result{{area.width, area.height, 4}, area.x, area.y};
+  std::uint8_t* out = result.image.pixels.data();
+  const auto place = [&](int pixel, int axis) {
+    return (pixel + 0.5 - layer.corner[axis]) / layer.cell_size[axis];
+  };
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    const auto [upper, lower, down] = between(place(y, 1), layer.rows);
+    const SoftLayer::Cell* const above = layer.cells.data() + std::ptrdiff_t{upper} * layer.columns;
+    const SoftLayer::Cell* const below = layer.cells.data() + std::ptrdiff_t{lower} * layer.columns;
+    for (int x = area.x; x < area.x + area.width; ++x, out += 4) {
+      const auto [left, right, across] = between(place(x, 0), layer.columns);
+      const SoftLayer::Cell top = above[left] + across * (above[right] - above[left]);
+      const SoftLayer::Cell bottom = below[left] + across * (below[right] - below[left]);
+      const SoftLayer::Cell mean = top + down * (bottom - top) + 0.5F + image::dither(x, y);
+      for (int c = 0; c < 4; ++c) out[c] = static_cast<std::uint8_t>(mean[c]);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 void scale_opacity(SoftLayer& layer, double factor) {
@@ -183,10 +207,10 @@ void scale_opacity(SoftLayer& layer, double factor) {
 }
 
 std::vector<image::Area> composite_over(image::Image& image, const SoftLayer& layer) {
-  assert(image.channels == 3);
   const image::Area area = image::common(layer.covered, {0, 0, image.width, image.height});
   assert(area == layer.covered && "a layer leaves the picture");
   if (area.width == 0 || area.height == 0) return {};
+  if (image.channels == 4) return composite_over(image, enlarged(layer, area));
   Enlarger enlarger(layer, area);
   std::vector<image::Area> affected;
   for (int top = area.y; top < area.y + area.height; top += band_height) {

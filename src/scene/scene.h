@@ -168,6 +168,7 @@ struct CameraPath {
 /// An element of the picture besides the body.
 enum class Feature {
   floor,       ///< The floor with the body's shadow and reflection.
+  shadow,      ///< The body's shadow alone, on a floor that is not seen.
   axes,        ///< The body's axes.
   momentum,    ///< The angular momentum L as an arrow.
   omega,       ///< The angular velocity as an arrow.

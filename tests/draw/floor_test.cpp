@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/enumeration.h"
 #include "draw/pose_renderer.h"
 #include "gl/test_context.h"
 #include "picture/t_wrench.h"
@@ -102,6 +103,36 @@ TEST_F(FloorTest, HasAShadowBelowTheBodyThatMovesWithIt) {
   // A small rotation moves it slightly: it neither jumps nor pulsates.
   const Eigen::Vector2d near = shadow(scene, so3::exp(Vector3d(0, 0.01, 0)));
   EXPECT_LT((near - right).norm(), 0.5);
+}
+
+// A film with a transparent background is laid over another picture. It must then look as if it had
+// been drawn over it.
+TEST_F(FloorTest, CanBeAShadowAloneInTheAlpha) {
+  for (const scene::Theme theme : enumerators<scene::Theme>) {
+    for (const double size : {1e-6, 1.0, 1e6}) {
+      scene::Scene scene = white();
+      scene.look.theme = theme;
+      for (body::Part& part : scene.body.parts) {
+        part.shape = body::Cylinder{0.5 * size, 8 * size};
+        part.position *= size;
+      }
+      const Matrix3d X = so3::exp(Vector3d(0.1, 0.2, 0.3));
+      const image::Image opaque = drawn(scene, X, {scene::Feature::shadow});
+      scene.look.background.reset();
+      scene.look.transparent = true;
+      const image::Image alone = drawn(scene, X, {scene::Feature::shadow});
+      int shaded = 0, worst = 0;
+      for (std::size_t i = 0; i < alone.pixels.size() / 4; ++i) {
+        const std::uint8_t* const p = &alone.pixels[4 * i];
+        const double alpha = p[3] / 255.0;
+        if (p[0] == 0 && p[3] > 0) ++shaded;
+        const double over_white = alpha * p[0] + 255 * (1 - alpha);
+        worst = std::max(worst, static_cast<int>(std::abs(over_white - opaque.pixels[3 * i])));
+      }
+      EXPECT_GT(shaded, 1000) << size;
+      EXPECT_LE(worst, 3) << size;
+    }
+  }
 }
 
 TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {

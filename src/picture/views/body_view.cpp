@@ -36,7 +36,7 @@ BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Soluti
       forces_(forces_of(scene, solutions[solution], radius_)),
       path_(scene.camera),
       framing_(framing_of(scene, solutions[solution])) {
-  if (scene.overlay.shows(scene::Feature::floor)) add_surroundings(scene);
+  add_surroundings(scene);
 }
 
 BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
@@ -49,15 +49,24 @@ BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Soluti
   }
 }
 
-/// Adds the floor or, for a camera that turns with its frame, the stars.
+/// Adds the floor or its shadow alone or, for a camera that turns with its frame, the stars.
 void BodyView::add_surroundings(const scene::Scene& scene) {
-  std::optional<FloorStyle> floor = style_of(scene.look.theme).floor;
+  const bool shows_floor = scene.overlay.shows(scene::Feature::floor) && !scene.look.transparent;
   if (frame_ != scene::Frame::space) {
-    if (!scene.look.transparent) stars_.emplace(scene);
-  } else if (floor && !scene.look.transparent && scene.camera.elevation >= 0) {
+    if (shows_floor) stars_.emplace(scene);
+    return;
+  }
+  if (scene.camera.elevation < 0) return;
+  std::optional<FloorStyle> floor = style_of(scene.look.theme).floor;
+  if (shows_floor && floor) {
     const bool is_lit = !scene.look.background;
     if (!is_lit || scene.camera.orbit == 0) floor->clouds = 0;
     floor_ = Floor{*floor, is_lit};
+  } else if (scene.overlay.shows(scene::Feature::shadow)) {
+    constexpr double usual_shadow = 0.5;  // for a theme without a floor
+    floor_ = Floor{
+        {.light = {}, .shadow = floor ? floor->shadow : usual_shadow, .reflection = 0, .clouds = 0},
+        false};
   }
 }
 
