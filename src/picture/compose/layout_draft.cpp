@@ -79,15 +79,15 @@ void LayoutDraft::place_legend(image::Area& pane) {
 
 /// Divides the area into two lines of panes if there are at least four views. A long picture has
 /// one line, in which each view has more room.
-std::vector<Share> LayoutDraft::equal_shares(int count) const {
+std::vector<Share> LayoutDraft::equal_shares(int count, const image::Area& rest) const {
   const int lines = count >= 4 && !is_long() ? 2 : 1;
   const int along = (count + lines - 1) / lines;
   const bool vertical = picture_.height > picture_.width;
-  return shares(picture_, rest_, vertical ? lines : along, vertical ? along : lines);
+  return shares(picture_, rest, vertical ? lines : along, vertical ? along : lines);
 }
 
 void LayoutDraft::place_panes() {
-  const std::vector<Share> all = equal_shares(solutions_);
+  const std::vector<Share> all = equal_shares(solutions_, rest_);
   for (const auto& [area, column, row] : all) {
     image::Area focus = image::common(area, rest_);
     if (solutions_ > 1 && rest_ != picture_) {
@@ -116,14 +116,25 @@ std::optional<image::Area> LayoutDraft::cut_heading(image::Area& cell) const {
 /// Places the body, all insets and, if a pane is left over, the components.
 void LayoutDraft::place_quarters() {
   constexpr std::size_t views = 1 + scene::insets.size();
-  const std::vector<Share> all = equal_shares(std::max<int>(4, views));
+  constexpr int panes = std::max<int>(4, views);
+  image::Area rest_on_the_left = rest_;
+  if (has_text_on_the_left()) {
+    rest_on_the_left.width = (rest_.width - gap_) / 2;
+    place_text(rest_on_the_left);
+    rest_on_the_left.width = rest_.width;
+  }
+  std::vector<Share> all = equal_shares(panes, rest_);
+  const std::vector<Share> left = equal_shares(panes, rest_on_the_left);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].column == 0) all[i] = left[i];
+  }
   const auto quarter = [&](std::size_t i) {
-    image::Area area = image::common(all[i].area, rest_);
+    image::Area area = image::common(all[i].area, all[i].column == 0 ? rest_on_the_left : rest_);
     if (all[i].column > 0) cut_left(area, 0, gap_);
     if (all[i].row > 0) cut_top(area, 0, gap_);
     return area;
   };
-  layout_.panes.push_back({all[0].area, image::common(all[0].area, rest_)});
+  layout_.panes.push_back({all[0].area, image::common(all[0].area, rest_on_the_left)});
   for (std::size_t i = 1; i < views; ++i) {
     Pane& view = layout_.insets[i - 1].emplace(Pane{all[i].area, quarter(i)});
     view.heading = cut_heading(view.focus);

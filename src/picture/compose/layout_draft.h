@@ -41,6 +41,10 @@ class LayoutDraft {
   bool is_long() const;
   bool upright() const { return 10 * picture_.height > 9 * picture_.width; }
   bool single() const { return solutions_ == 1; }
+  /// Returns whether the text is above and below the left panes of four.
+  bool has_text_on_the_left() const {
+    return overlay_.view == scene::View::quad && !upright() && !is_long();
+  }
   bool shows_no_body() const { return scene::inset_index(overlay_.view) < scene::insets.size(); }
   /// Returns whether text explains the motion and the contents of the picture.
   bool explains() const {
@@ -68,7 +72,7 @@ class LayoutDraft {
 
   // Views: layout_draft.cpp.
   void place_views();
-  std::vector<Share> equal_shares(int count) const;
+  std::vector<Share> equal_shares(int count, const image::Area& rest) const;
   void place_panes();
   void place_legend(image::Area& pane);
   void place_quarters();

@@ -57,6 +57,8 @@ void LayoutDraft::place_text_and_insets() {
     place_strips();
   } else if (is_long()) {
     place_in_line();
+  } else if (has_text_on_the_left()) {
+    return;  // place_quarters() places it
   } else if (!insets && !(shows_no_body() && explains())) {
     place_text(rest_);
   } else if (upright()) {

@@ -168,7 +168,7 @@ void PoinsotView::add(const timeline::FrameState& state, ViewContents& contents)
   if (at_rest()) return;
   add_polhode(instant.sample.X, list);
   const Vector3d momentum = momentum_end * up, omega = contact(instant.sample);
-  contents.opaque.arrow(Vector3d::Zero(), momentum, 0.022, {colors_.momentum});
+  contents.opaque.arrow(Vector3d::Zero(), momentum, 0.018, {colors_.momentum});
   contents.opaque.arrow(Vector3d::Zero(), omega, 0.018, {colors_.omega});
   add_plane(instant, list);
   add_label(contents, "L", momentum, colors_.momentum);
