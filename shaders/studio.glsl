@@ -37,10 +37,12 @@ float area_light_integral(int i, vec3 place, vec3 direction, float width_squared
   return 0.25 * (share.x * share.y) / (whole.x * whole.y);
 }
 
-// The radiance of the room itself from a direction: a dark ceiling, a brighter floor.
+// The radiance of the room itself from a direction: a dark ceiling, a brighter floor, and a light
+// within 60 degrees of the direction away from the camera.
 vec3 room(vec3 direction) {
   float height = 0.5 + 0.5 * direction.y;
-  return mix(room_below, room_above, height * (2.0 - height));
+  float behind = max(-2.0 * direction.z - 1.0, 0.0);
+  return mix(room_below, room_above, height * (2.0 - height)) + behind * behind * room_behind;
 }
 
 // The incoming radiance at `place`, weighted by the lobe about `direction`.

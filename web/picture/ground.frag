@@ -75,7 +75,7 @@ void main() {
   if (floor_share > 0.0 && on_floor.z > 0.0) {
     vec2 at = on_floor.xy / on_floor.z;
     vec2 right = right_and_height.xy;
-    vec2 from_eye = vec2(dot(right, at), dot(vec2(right.y, -right.x) / 2.0, at)) / 0.8;
+    vec2 from_eye = vec2(dot(right, at), dot(vec2(right.y, -right.x) / 2.0, at)) / 0.7;
     float shown = floor_share * fade(place);
     shade += falloff(dot(from_eye, from_eye)) * shown * floor_light;
     float near = falloff(dot(at, at) / (1.3 * 1.3));

@@ -50,6 +50,7 @@ std::string shader_constants(const Material& material, const Studio& studio) {
          constant("float", "dielectric", static_cast<float>(dielectric_reflectance)) +
          constant("vec3", "room_above", studio.above) +
          constant("vec3", "room_below", studio.below) +
+         constant("vec3", "room_behind", studio.behind) +
          constant("vec3", "ambient_mean", ambient.mean) +
          constant("mat3", "ambient_slope", ambient.slope) +
          fmt::format("const int light_count = {};\n", Studio::light_count) +

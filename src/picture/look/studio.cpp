@@ -21,6 +21,8 @@ AmbientLight ambient_light(const Studio& studio) {
   // The integrals of the room's radiance in studio.glsl over the sphere, alone and times y.
   AmbientLight light{(2.0F * studio.above + studio.below) / 3.0F, glm::mat3(0)};
   light.slope[1] = (studio.above - studio.below) / 3.0F;
+  light.mean += studio.behind / 12.0F;
+  light.slope[2] = -7.0F / 48.0F * studio.behind;
   for (const AreaLight& each : studio.lights) {
     const float distance = glm::length(each.centre);
     const float solid_angle =
@@ -43,7 +45,8 @@ Studio dark_studio() {
            facing_body({0.21F, 2.17F, -0.87F}, 0.67F, 0.51F, 21.2F * neutral),
            facing_body({-0.39F, 2.17F, -2.8F}, 1.24F, 1.38F, 3.7F * neutral)},
           {0.045F, 0.046F, 0.051F},
-          {0.118F, 0.120F, 0.131F}};
+          {0.235F, 0.238F, 0.255F},
+          {0.50F, 0.51F, 0.54F}};
 }
 
 Studio white_studio() {
@@ -54,7 +57,8 @@ Studio white_studio() {
            facing_body({0.0F, -3.0F, 0.8F}, 4.0F, 1.6F, 0.8F * white),
            facing_body({0.2F, 0.4F, 3.6F}, 2.6F, 1.4F, 0.25F * white)},
           {0.22F, 0.223F, 0.228F},
-          {0.17F, 0.171F, 0.175F}};
+          {0.17F, 0.171F, 0.175F},
+          {0.0F, 0.0F, 0.0F}};
 }
 
 Studio sunlight() {
@@ -66,7 +70,8 @@ Studio sunlight() {
            facing_body({-2.6F, 1.2F, -2.2F}, 0.8F, 3.2F, 5.0F * cool),
            facing_body({1.7F, -1.7F, -2.6F}, 4.2F, 0.9F, 2.2F * cool)},
           {0.018F, 0.020F, 0.026F},
-          {0.05F, 0.056F, 0.07F}};
+          {0.10F, 0.112F, 0.14F},
+          {0.30F, 0.36F, 0.46F}};
 }
 
 }  // namespace twrench::picture

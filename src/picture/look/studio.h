@@ -30,6 +30,9 @@ struct Studio {
   glm::vec3 above;
   /// Linear radiance of the room from below.
   glm::vec3 below;
+  /// Linear radiance that is added behind the body, as seen from the camera. Surfaces mirror it
+  /// where they turn away from the eye, so it separates the body's outline from a dark background.
+  glm::vec3 behind;
 };
 
 /// The radiance of the studio, so blurred that it varies linearly with the direction: it is

@@ -97,8 +97,8 @@ ThemeStyle studio() {
           .metallic = 1,
           .roughness = 0.25,
           .studio = dark_studio(),
-          .backdrop = {{11, 13, 20}, {53, 55, 62}, 0.16, 0},
-          .floor = FloorStyle{{41, 41, 41}, 0.5, 0.16, 0.14},
+          .backdrop = {{11, 13, 20}, {45, 47, 54}, 0.16, 0},
+          .floor = FloorStyle{{49, 49, 49}, 0.66, 0.18, 0.14},
           .overlay = on_dark(),
           .page = dark_page};
 }
@@ -109,7 +109,7 @@ ThemeStyle paper() {
           .roughness = 0.25,
           .studio = white_studio(),
           .backdrop = {{250, 250, 248}, {237, 237, 235}, 0.02, 0},
-          .floor = FloorStyle{{16, 16, 16}, 0.42, 0.10, 0.03},
+          .floor = FloorStyle{{16, 16, 16}, 0.50, 0.10, 0.03},
           .overlay = on_white(),
           .page = white_page};
 }

@@ -11,7 +11,7 @@ namespace {
 
 Studio dark_room() {
   Studio studio = dark_studio();
-  studio.above = studio.below = glm::vec3(0);
+  studio.above = studio.below = studio.behind = glm::vec3(0);
   for (AreaLight& light : studio.lights) light.radiance = glm::vec3(0);
   return studio;
 }
@@ -40,6 +40,23 @@ TEST(AmbientLight, OfTheRoomIsItsMeanAndWhatADiffuseSurfaceSees) {
   const AmbientLight light = ambient_light(studio);
   EXPECT_NEAR(light.mean.x, mean, 1e-5);
   EXPECT_NEAR(light.slope[1].x, 2 * moment, 1e-5);
+}
+
+// The light behind the body is (2 c - 1)^2 at the angle arccos(c) < 60 degrees from its middle.
+TEST(AmbientLight, OfTheLightBehindIsItsMeanAndWhatADiffuseSurfaceSees) {
+  Studio studio = dark_room();
+  studio.behind = glm::vec3(0.6F);
+  double mean = 0, moment = 0;
+  constexpr int steps = 1000;
+  for (int i = 0; i < steps; ++i) {
+    const double c = 0.5 + 0.5 * (i + 0.5) / steps;
+    const double radiance = 0.6 * (2 * c - 1) * (2 * c - 1);
+    mean += radiance / 4 / steps;
+    moment += radiance * c / 4 / steps;
+  }
+  const AmbientLight light = ambient_light(studio);
+  EXPECT_NEAR(light.mean.x, mean, 1e-6);
+  EXPECT_NEAR(light.slope[2].x, -2 * moment, 1e-6);
 }
 
 TEST(AmbientLight, OfALampComesFromItsSide) {
