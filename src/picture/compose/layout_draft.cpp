@@ -46,7 +46,8 @@ LayoutDraft::LayoutDraft(const scene::Scene& scene, const Parts& parts,
   if (std::ranges::find(parts_, true) != parts_.end()) rest_ = safe_;
 }
 
-/// A narrower picture has more lines, which are shorter.
+/// A narrower picture has more lines, which are shorter. In one for a telephone they stay above the
+/// buttons that applications lay over its lower end.
 void LayoutDraft::place_caption() {
   constexpr double em = 0.0565;  // of the shorter side
   constexpr double least = 9;    // px
@@ -56,6 +57,11 @@ void LayoutDraft::place_caption() {
                     : 5 * picture_.width >= 4 * picture_.height ? 3
                                                                 : 4;
   const int height = pixels(lines * Layout::Caption::line_height * size);
+  if (2 * picture_.height >= 3 * picture_.width) {
+    constexpr double buttons = 0.2;  // of the height
+    const int below = picture_.height - safe_.y - safe_.height;
+    cut_bottom(safe_, pixels(buttons * picture_.height) - below, 0);
+  }
   layout_.caption = {cut_bottom(safe_, height, gap_), size, lines};
   rest_.height = safe_.y + safe_.height - rest_.y;
 }

@@ -102,6 +102,18 @@ TEST(Caption, OfTheBuiltInStoriesFitsPicturesOfAnyShape) {
   }
 }
 
+// Applications for telephones lay their buttons over the lowest fifth of a film.
+TEST(Caption, IsAboveTheButtonsOfATelephone) {
+  for (const auto& [width, height] : {std::pair(1080, 1920), {540, 960}, {800, 1200}}) {
+    const Layout layout = compute_layout(captioned(width, height));
+    const image::Area& area = layout.caption.value().area;
+    EXPECT_LE(area.y + area.height, 0.8 * height + 1) << width;
+    EXPECT_GE(area.y + area.height, 0.78 * height) << width;
+  }
+  const Layout wide = compute_layout(captioned(1200, 1080));
+  EXPECT_GT(wide.caption.value().area.y + wide.caption.value().area.height, 0.94 * 1080);
+}
+
 TEST(Caption, HasCapitalsAsHighAsA25thOfThePicture) {
   const Layout layout = compute_layout(captioned(1280, 720));
   EXPECT_GE(layout.caption->size * sans().regular.cap_height(), 720 / 25.0);
