@@ -106,10 +106,21 @@ void BodyOverlay::draw(const timeline::SolutionState& instant, DrawList& opaque,
     opaque.arrow(centre, momentum_tip(), momentum_shaft(), {colors_.momentum});
   }
   if (shows_omega_) {
-    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft(), {colors_.omega});
+    opaque.arrow(centre, omega_tip(instant.sample), omega_shaft(), {colors_.omega},
+                 omega_nearer(instant.sample));
   }
   if (shows_plane_) draw_plane(translucent);
   if (shows_trail_) draw_trail(instant, translucent);
+}
+
+/// Returns by how much omega is drawn nearer, so that it lies on L where the two nearly coincide.
+/// They would otherwise enter each other along a jagged line.
+double BodyOverlay::omega_nearer(const motion::Sample& sample) const {
+  if (!shows_momentum_) return 0;
+  constexpr double widest = 0.15;  // rad, at which the arrows are apart as far as one sees them
+  const Vector3d omega = omega_tip(sample);
+  const double angle = std::atan2(up_.cross(omega).norm(), up_.dot(omega));
+  return 1.5 * (momentum_shaft() + omega_shaft()) * std::max(1 - angle / widest, 0.0);
 }
 
 void BodyOverlay::draw_plane(DrawList& translucent) const {

@@ -44,6 +44,7 @@ class BodyOverlay {
   double axis_shaft() const { return axis_shaft_ * radius_; }
   double momentum_shaft() const { return momentum_shaft_ * radius_; }
   double omega_shaft() const { return omega_shaft_ * radius_; }
+  double omega_nearer(const motion::Sample& sample) const;
 
   /// Returns the distance in cm from the centre of mass to the invariable plane.
   double plane_height() const { return plane_height_; }

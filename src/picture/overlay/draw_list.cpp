@@ -74,7 +74,12 @@ void DrawList::begin(const Camera& camera, const image::Area& pane) {
 }
 
 Vector4d DrawList::clip(const Vector3d& place) const {
-  return clip_from_space_ * place.homogeneous();
+  Vector4d clip = clip_from_space_ * place.homogeneous();
+  if (nearer_ == 0) return clip;
+  const Vector3d moved = place + nearer_ * (eye_ - place).normalized();
+  const Vector4d depth = clip_from_space_ * moved.homogeneous();
+  if (depth.w() > 0) clip.z() = depth.z() / depth.w() * clip.w();
+  return clip;
 }
 
 double DrawList::pixels(const Vector3d& place) const {

@@ -80,8 +80,10 @@ class DrawList {
   void dot(const Eigen::Vector3d& place, double radius, const Ink& ink);
 
   /// Adds an opaque, shaded and outlined arrow with a shaft of `radius` cm. An arrow shorter than
-  /// its head consists of the head only.
-  void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, const Ink& ink);
+  /// its head consists of the head only. It hides what it hides when it is `nearer` cm closer to
+  /// the eye.
+  void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, const Ink& ink,
+             double nearer = 0);
 
   /// Adds a flat disc whose colour changes from `middle` to `rim`.
   void disc(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius,
@@ -168,6 +170,7 @@ class DrawList {
   Eigen::Vector2d half_size_ = Eigen::Vector2d::Zero();  ///< Half the pane's size, in pixels.
   double scale_ = 0;                                     ///< Pixels per unit length at distance 1.
   double clip_z_nearer_ = 0;                             ///< Added to z for the pane's height.
+  double nearer_ = 0;                                    ///< Of the arrow being added, cm.
   std::vector<Projected> run_;                           ///< Visible part of the line being added.
   std::vector<Vertex> vertices_;
   std::vector<std::size_t> things_;  ///< First vertex of each item.

@@ -133,10 +133,12 @@ void DrawList::add_rim_edge_quads(const Cone& cone, std::vector<std::uint32_t>& 
   }
 }
 
-void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, const Ink& ink) {
+void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, const Ink& ink,
+                     double nearer) {
   const double length = (to - from).norm();
   if (!(length > 0)) return;
   begin_thing();
+  nearer_ = nearer;
   const double scale = std::min(1.0, length / (arrow_head_length * radius));
   const double head = arrow_head_length * radius * scale, shaft = length - head;
   const Matrix3d frame = body::frame_with_z_along(to - from);
@@ -152,10 +154,11 @@ void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, co
   if (shaft > 0) side(stem, items_);
   side(tip, items_);
   base(tip, items_);
-  const double size = pixels(tip.from);
-  if (!(size > 0)) return;
-  add_outline(stem, tip, scale * std::max(outline_width * radius, least_outline / size));
-  add_ghost(stem, tip);
+  if (const double size = pixels(tip.from); size > 0) {
+    add_outline(stem, tip, scale * std::max(outline_width * radius, least_outline / size));
+    add_ghost(stem, tip);
+  }
+  nearer_ = 0;
 }
 
 void DrawList::add_outline(const Cone& stem, const Cone& tip, double width) {
