@@ -101,8 +101,8 @@ using namespace twrench::page;
     const Vector3d centre = arguments.vector();
     surface->balls.push_back({centre, arguments.number()});
   }
-  for (PartModel& part : surface->body.parts) {
-    part.mean_color = picture::glm_from_eigen(arguments.vector());  // or that of its material
+  for (std::size_t i = 0; i < parts; ++i) {
+    surface->body.tints.push_back(picture::glm_from_eigen(arguments.vector()));
   }
   return surface;
 }

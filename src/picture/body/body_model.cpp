@@ -52,11 +52,6 @@ std::vector<PartModel> part_models(std::span<const body::Part> parts, const Mesh
   return models;
 }
 
-glm::vec3 BodyModel::tint(std::size_t part) const {
-  const Material& own = materials[part];
-  return parts[part].mean_color.value_or(glm::vec3(1)) * (own.diffuse + own.reflectance);
-}
-
 std::size_t most_occluders(std::span<const PartModel> parts) {
   std::size_t most = 0;
   for (const PartModel& part : parts) most = std::max(most, part.occluders.size());
@@ -68,14 +63,18 @@ BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius
   std::vector<PartModel> models = part_models(parts, mesh, radius);
   const std::size_t occluders = most_occluders(models);
   PartIntersections intersections = find_intersections(mesh, models);
+  std::vector<glm::vec3> tints;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (mesh.sides[i] && !intersections[i].empty()) mesh.sides[i]->most_merged = 1;
+    tints.push_back(models[i].mean_color.value_or(glm::vec3(1)) *
+                    (materials[i].diffuse + materials[i].reflectance));
   }
   return {.mesh = std::move(mesh),
           .radius = radius,
           .parts = std::move(models),
           .intersections = std::move(intersections),
           .materials = std::move(materials),
+          .tints = std::move(tints),
           .is_marked = axis_of_revolution(parts).has_value(),
           .occluder_count = occluders,
           .studio = studio};

@@ -59,15 +59,14 @@ struct BodyModel {
   PartIntersections intersections;
   /// The material of each part.
   std::vector<Material> materials;
+  /// The linear colour of the light that each part reflects.
+  std::vector<glm::vec3> tints;
   /// Whether a stripe shows how a body of revolution turns.
   bool is_marked;
   /// The largest number of occluders of a part.
   std::size_t occluder_count;
   /// Lights.
   Studio studio;
-
-  /// Returns the linear colour of the light that a part reflects.
-  glm::vec3 tint(std::size_t part) const;
 };
 
 /// Returns the largest number of occluders of a part.

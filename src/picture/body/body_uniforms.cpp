@@ -76,7 +76,7 @@ OccluderUniforms occluder_uniforms(const BodyModel& body, const PartModel& part,
     const Capsule& capsule = part.occluders[i];
     result.from[i] = glm::vec4(end(capsule.from), capsule.radius / body.radius);
     result.to[i] = glm::vec4(end(capsule.to), smooth && capsule.meets ? 1 : 0);
-    result.tint[i] = glm::vec4(body.tint(capsule.part), 1);
+    result.tint[i] = glm::vec4(body.tints[capsule.part], 1);
   }
   return result;
 }
