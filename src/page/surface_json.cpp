@@ -71,10 +71,10 @@ ordered_json model_json(std::span<const picture::PartModel> parts, double radius
     append(json, numbers(part.side_axis));
     for (const glm::vec4& row : part.across_from_body) append(json, {row.x, row.y, row.z, row.w});
     json.push_back(part.occluders.size());
-    for (const auto& [from, to, capsule_radius, meets, other] : part.occluders) {
-      append(json, numbers(from));
-      append(json, numbers(to));
-      append(json, {capsule_radius, meets ? 1 : 0, other});
+    for (const picture::Capsule& capsule : part.occluders) {
+      append(json, numbers(capsule.from));
+      append(json, numbers(capsule.to));
+      append(json, {capsule.radius, capsule.meets ? 1 : 0, capsule.part});
     }
   }
   json.push_back(balls.size());

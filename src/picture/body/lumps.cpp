@@ -134,9 +134,12 @@ Capsule capsule_about(std::span<const SurfaceSample> piece) {
     half = half.cwiseMax((axes.transpose() * (sample.position - middle)).cwiseAbs());
   }
   const double radius = (half[0] + half[1]) / 2;
+  const bool is_wall = piece.front().normal.isZero();
+  const bool is_of_plate = !is_wall && radius * (1 - normal.norm()) > 2 * half[0];
   const Vector3d along = std::max(0.0, half[2] - radius / 2) * axes.col(2);
   middle -= radius * normal;
-  return {middle - along, middle + along, radius};
+  return {
+      .from = middle - along, .to = middle + along, .radius = radius, .is_of_plate = is_of_plate};
 }
 
 }  // namespace

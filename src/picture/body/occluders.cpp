@@ -20,6 +20,14 @@ Vector3d nearest_on_axis(const Capsule& capsule, const Vector3d& point) {
   return capsule.from + std::clamp((point - capsule.from).dot(along) / squared, 0.0, 1.0) * along;
 }
 
+/// Whether a shape is a plate: a capsule of its volume sticks out of it.
+bool is_plate(const body::Shape& shape) {
+  constexpr double least_ratio = 3;  // of the middle size to the smallest one
+  Vector3d sizes = body::bounding_box(shape).sizes();
+  std::ranges::sort(sizes);
+  return sizes[1] > least_ratio * sizes[0];
+}
+
 /// The gap between two capsules in cm, negative if they overlap: alternates between the nearest
 /// points of their axes, which converges for convex sets (von Neumann's alternating projections).
 double gap(const Capsule& a, const Capsule& b) {
@@ -46,7 +54,10 @@ std::vector<Capsule> capsules_of(const body::Part& part) {
   const std::optional<AxisCapsule> own = traits_of(part.shape).occluder;
   if (!own) return lumps(part);
   const Vector3d along = own->half_length * part.body_from_part.col(own->axis);
-  return {{part.position - along, part.position + along, own->radius}};
+  return {{.from = part.position - along,
+           .to = part.position + along,
+           .radius = own->radius,
+           .is_of_plate = is_plate(part.shape)}};
 }
 
 std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
@@ -63,6 +74,7 @@ std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> par
     for (std::size_t j = 0; j < parts.size(); ++j) {
       if (j == i) continue;
       for (Capsule other : capsules[j]) {
+        if (other.is_of_plate) continue;
         const double distance = gap(capsules[i], other);
         if (distance >= 2 * other.radius) continue;
         other.meets = distance < 0 && j < i && have_round_side[j];

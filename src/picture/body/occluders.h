@@ -18,6 +18,9 @@ struct Capsule {
   bool meets = false;
   /// The index of the part that it approximates.
   std::size_t part = 0;
+  /// Whether it approximates a plate, out of which it sticks on both sides. Its shadow on the floor
+  /// resembles that of the plate, but it would darken what lies on the plate.
+  bool is_of_plate = false;
 };
 
 /// Returns the capsules that approximate a part for soft shading: one, or several for a part
@@ -25,7 +28,7 @@ struct Capsule {
 std::vector<Capsule> capsules_of(const body::Part& part);
 
 /// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are
-/// close enough to shade it: nearest first, at most `most`.
+/// close enough to shade it: nearest first, at most `most`. Plates shade no other parts.
 std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
                                                  std::size_t most);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "picture/body/meshes.h"
@@ -30,6 +31,28 @@ TEST(Lumps, LieInsideASolidMesh) {
       EXPECT_LT(end.norm() + capsule.radius, 2.4);
     }
   }
+}
+
+TEST(Lumps, OfAPlateAreMarked) {
+  const auto slab = [](double z) {
+    return lumps(part_of(
+        {{{0, 0, 0}, {3, 0, 0}, {3, 6, 0}, {0, 6, 0}, {0, 0, z}, {3, 0, z}, {3, 6, z}, {0, 6, z}},
+         {{0, 2, 1},
+          {0, 3, 2},
+          {4, 5, 6},
+          {4, 6, 7},
+          {0, 1, 5},
+          {0, 5, 4},
+          {1, 2, 6},
+          {1, 6, 5},
+          {2, 3, 7},
+          {2, 7, 6},
+          {3, 0, 4},
+          {3, 4, 7}},
+         {}}));
+  };
+  EXPECT_TRUE(std::ranges::all_of(slab(0.2), &Capsule::is_of_plate));
+  EXPECT_TRUE(std::ranges::none_of(slab(3), &Capsule::is_of_plate));
 }
 
 TEST(Lumps, OfATriangleAreThere) {

@@ -27,6 +27,21 @@ TEST(CapsulesOf, IsABallForABall) {
   EXPECT_NEAR((capsule.to - capsule.from).norm(), 2, 1e-12);
 }
 
+// A capsule about a disc would darken the half of a ball that lies on it.
+TEST(Neighbours, AreNoPlates) {
+  const auto occluders_of_ball_on = [](double thickness) {
+    const body::Part ball{
+        body::Ellipsoid{Vector3d::Constant(0.3)}, 1, {0.5, 0, 0.3}, Eigen::Matrix3d::Identity()};
+    return find_occluders(
+               std::vector{cylinder(1, thickness, {0, 0, -thickness / 2}, Vector3d::UnitZ()), ball},
+               3)[1]
+        .size();
+  };
+  EXPECT_EQ(occluders_of_ball_on(0.2), 0U);
+  EXPECT_EQ(occluders_of_ball_on(1), 1U);
+  EXPECT_EQ(occluders_of_ball_on(20), 1U) << "a rod";
+}
+
 TEST(Neighbours, AreTheNearestThatAreNear) {
   const std::vector<body::Part> parts{cylinder(1, 8, {0, 0, 0}, Vector3d::UnitY()),
                                       cylinder(1, 4, {3.0, 2, 0}, Vector3d::UnitX()),
