@@ -1,6 +1,7 @@
 #include "picture/body/occluders.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -48,6 +49,17 @@ double gap(const std::vector<Capsule>& some, const Capsule& other) {
   return least;
 }
 
+/// Whether most of a capsule lies inside a part with these capsules, where it shades nothing.
+bool enclose(const std::vector<Capsule>& some, const Capsule& other) {
+  constexpr double least_depth = 0.1;  // of an end of its axis, in its radii
+  return std::ranges::all_of(std::array{other.from, other.to}, [&](const Vector3d& end) {
+    return std::ranges::any_of(some, [&](const Capsule& each) {
+      const double depth = each.radius - (nearest_on_axis(each, end) - end).norm();
+      return !each.is_of_plate && depth >= least_depth * other.radius;
+    });
+  });
+}
+
 }  // namespace
 
 std::vector<Capsule> capsules_of(const body::Part& part) {
@@ -74,7 +86,7 @@ std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> par
     for (std::size_t j = 0; j < parts.size(); ++j) {
       if (j == i) continue;
       for (Capsule other : capsules[j]) {
-        if (other.is_of_plate) continue;
+        if (other.is_of_plate || enclose(capsules[i], other)) continue;
         const double distance = gap(capsules[i], other);
         if (distance >= 2 * other.radius) continue;
         other.meets = distance < 0 && j < i && have_round_side[j];

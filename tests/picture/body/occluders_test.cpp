@@ -42,6 +42,18 @@ TEST(Neighbours, AreNoPlates) {
   EXPECT_EQ(occluders_of_ball_on(20), 1U) << "a rod";
 }
 
+TEST(Neighbours, AreNotHiddenInside) {
+  const auto occluders_of_ball_around = [](const Vector3d& centre) {
+    const auto ball = [](double radius, const Vector3d& middle) {
+      return body::Part{body::Ellipsoid{Vector3d::Constant(radius)}, 1, middle,
+                        Eigen::Matrix3d::Identity()};
+    };
+    return find_occluders(std::vector{ball(2, {0, 0, 0}), ball(0.5, centre)}, 3)[0].size();
+  };
+  EXPECT_EQ(occluders_of_ball_around({0, 1.2, 0}), 0U);
+  EXPECT_EQ(occluders_of_ball_around({0, 2, 0}), 1U) << "half of it sticks out";
+}
+
 TEST(Neighbours, AreTheNearestThatAreNear) {
   const std::vector<body::Part> parts{cylinder(1, 8, {0, 0, 0}, Vector3d::UnitY()),
                                       cylinder(1, 4, {3.0, 2, 0}, Vector3d::UnitX()),
