@@ -246,9 +246,9 @@ def satellite_stage():
 
 
 def satellite_stripes():
-    """The dark stripes on its payload, 0.5 mm thick."""
+    """The dark stripes on its payload, and 1.5 mm above it, so that a simplified payload stays below them."""
     def stripe(first, start, end):
-        corners = ((start, 76.7), (end, 76.7), (end, 75.7), (start, 75.7))
+        corners = ((start, 77.7), (end, 77.7), (end, 74.68), (start, 74.68))
         angles = [first + math.pi / 4.0 * i / 12 for i in range(13)]
         return loft([[(x, r * math.cos(a), r * math.sin(a)) for x, r in corners] for a in angles])
     return [stripe(math.pi / 2.0 * (i + 0.25), *ends) for ends in ((110.0, 310.0), (350.0, 670.0)) for i in range(4)]

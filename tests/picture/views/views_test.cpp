@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "picture/body/bounding_radius.h"
+#include "picture/compose/layout.h"
 #include "picture/overlay/body_overlay.h"
 #include "picture/overlay/trail_point.h"
 #include "picture/overlay_scene.h"
@@ -16,6 +17,7 @@
 #include "picture/views/poinsot_view.h"
 #include "picture/views/shown.h"
 #include "picture/views/sphere_curves.h"
+#include "timeline/film_timeline.h"
 
 namespace twrench::picture {
 namespace {
@@ -79,6 +81,32 @@ TEST(BodyOverlay, BoundsALongOmega) {
   const BodyOverlay overlay(scene, timeline.solutions()[0].body, 3);
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     EXPECT_LT(overlay.omega_tip(timeline.frame_state(i).solutions[0].sample).norm(), 4.6);
+  }
+}
+
+// Its camera is closer than the one that fits the satellite in every pose.
+TEST(Views, ShowTheWholeSatelliteInPicturesOfAnyShape) {
+  scene::Scene film = scene::load_scene("explorer-1");
+  const double centre = scene::mass_properties(film.body).centre_of_mass.norm();
+  const Vector3d axis = scene::mass_properties(film.body).axes.col(0);
+  std::vector<int> frames;
+  for (int i = 0; i < film.frame_count(); i += 20) frames.push_back(i);
+  const timeline::FilmTimeline timeline(film, frames);
+  for (const auto& [width, height] : {std::pair(270, 480), {480, 480}, {480, 270}}) {
+    for (std::size_t i = 0; i < timeline.size(); ++i) {
+      const std::size_t shot = timeline.shot(i);
+      scene::Scene scene = film.shots[shot].scene;
+      scene.film.width = width;
+      scene.film.height = height;
+      const Layout::Pane pane = compute_layout(scene).panes.front();
+      const BodyView view(scene, timeline.solutions(shot), 0, pane, 101.6 + centre);
+      for (const double end : {101.6 - centre, -101.6 - centre}) {
+        const Matrix3d X = timeline.frame(i).state.solutions[0].sample.X;
+        const Vector2d pixel = pixel_of(view.camera(0), pane.area, end * (X * axis));
+        EXPECT_TRUE(pixel.x() > 0 && pixel.x() < width && pixel.y() > 0 && pixel.y() < height)
+            << width << "x" << height << ", frame " << frames[i] << ": " << pixel.transpose();
+      }
+    }
   }
 }
 
