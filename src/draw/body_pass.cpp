@@ -216,7 +216,7 @@ void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indice
     const gl::Program& program = programs_[program_of_part_[i]];
     program.use();
     set_occluders(program, part, pose, lift > 0);
-    program.set("part_lift", part.meets_others() ? static_cast<float>(lift) : 0.0F);
+    program.set("part_lift", part.is_lifted() ? static_cast<float>(lift) : 0.0F);
     program.set("part_radii", part.radii);
     program.set("across_from_body", part.across_from_body);
     draw_to(program, ranges.side_begins[i], glm::vec3(0));

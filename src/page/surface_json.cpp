@@ -70,6 +70,7 @@ ordered_json model_json(std::span<const picture::PartModel> parts, double radius
     append(json, numbers(part.radii));
     append(json, numbers(part.side_axis));
     for (const glm::vec4& row : part.across_from_body) append(json, {row.x, row.y, row.z, row.w});
+    json.push_back(part.is_foil ? 1 : 0);
     json.push_back(part.occluders.size());
     for (const picture::Capsule& capsule : part.occluders) {
       append(json, numbers(capsule.from));

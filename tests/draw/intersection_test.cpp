@@ -109,5 +109,25 @@ TEST_F(Intersection, OfAnyTwoPartsIsAntialiased) {
   }
 }
 
+// The two are as close as print and paper. Without a lift, the foil is hidden in part wherever the
+// outline moves it by half a pixel over a slope.
+TEST_F(Intersection, OfFoilAndThePartBelowIsAntialiased) {
+  body::TriangleMesh stripes;
+  for (int i = 0; i < 4; ++i) {
+    const double left = -1.2 + 0.6 * i, width = 0.04 + 0.08 * i;
+    const auto first = static_cast<std::uint32_t>(stripes.vertices.size());
+    stripes.vertices.insert(stripes.vertices.end(), {{left, -0.9, 0.505},
+                                                     {left + width, -0.9, 0.505},
+                                                     {left + width + 0.1, 0.9, 0.505},
+                                                     {left + 0.1, 0.9, 0.505}});
+    stripes.triangles.insert(stripes.triangles.end(),
+                             {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+  }
+  const scene::Scene scene =
+      scene_of(part_of(picture::box_of_triangles({3, 2.4, 1})), part_of(stripes, 0.001));
+  const auto [worst, jagged] = deviation_of(scene, so3::exp(Vector3d(-0.4, 0.5, 0.6)));
+  EXPECT_LE(jagged, 4) << "the largest difference is " << worst << " of 255";
+}
+
 }  // namespace
 }  // namespace twrench::draw

@@ -89,10 +89,10 @@ TEST(PageJson, TellsWhichPartsTouch) {
   const ordered_json surface = json_of(scene::load_scene("dzhanibekov")).at("surface");
   const ordered_json &leg = surface.at("parts").at(1), &model = surface.at("model");
   EXPECT_EQ(surface.at("occluder_count"), 1);
-  // After the radius and the number of parts: 14 numbers of a part and the number of its occluders,
+  // After the radius and the number of parts: 15 numbers of a part and the number of its occluders,
   // with 9 numbers each; the last but one states whether the occluder meets the part.
-  const std::size_t part = 15, of_leg = 2 + part + 9 * model.at(2 + 14).get<std::size_t>();
-  ASSERT_EQ(model.at(of_leg + 14), 1);
+  const std::size_t part = 16, of_leg = 2 + part + 9 * model.at(2 + 15).get<std::size_t>();
+  ASSERT_EQ(model.at(of_leg + 15), 1);
   EXPECT_EQ(model.at(of_leg + part + 7), 1);
   EXPECT_LT(leg.at("side_begin"), leg.at("end"));
   EXPECT_FALSE(surface.at("marked"));

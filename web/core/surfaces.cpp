@@ -66,6 +66,7 @@ PartModel read_part(Arguments& arguments) {
   for (glm::vec4& row : part.across_from_body) {
     for (int i = 0; i < 4; ++i) row[i] = static_cast<float>(arguments.number());
   }
+  part.is_foil = arguments.number() != 0;
   const std::size_t occluders = arguments.count();
   for (std::size_t i = 0; i < occluders; ++i) {
     Capsule capsule{};
@@ -152,7 +153,7 @@ using namespace twrench::page;
   add_columns(stage.stage_from_body);
   add_columns(stage.stage_normal_from_body);
   for (const PartModel& part : body.parts) {
-    uniforms.push_back(!mirrored && part.meets_others() ? 1 : 0);
+    uniforms.push_back(!mirrored && part.is_lifted() ? 1 : 0);
     add(part.radii);
     add(picture::side_axis_in_stage(body, part, camera, X));
     for (const glm::vec4& row : part.across_from_body) add(row);

@@ -29,7 +29,9 @@ std::optional<glm::vec3> mean_color(const Mesh& mesh, std::size_t part) {
 
 }  // namespace
 
-bool PartModel::meets_others() const { return std::ranges::any_of(occluders, &Capsule::meets); }
+bool PartModel::is_lifted() const {
+  return is_foil || std::ranges::any_of(occluders, &Capsule::meets);
+}
 
 std::vector<PartModel> part_models(std::span<const body::Part> parts, const Mesh& mesh,
                                    double radius) {
@@ -45,6 +47,7 @@ std::vector<PartModel> part_models(std::span<const body::Part> parts, const Mesh
          .end = mesh.part_ends[i],
          .radii = glm_from_eigen((Vector3d(outline, round, rim) / radius).eval()),
          .side_axis = side ? Vector3d(parts[i].body_from_part.col(2)) : Vector3d::Zero(),
+         .is_foil = traits_of(parts[i].shape).is_foil,
          .across_from_body = across[i],
          .occluders = std::move(occluders[i]),
          .mean_color = mean_color(mesh, i)});

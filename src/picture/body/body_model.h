@@ -30,6 +30,8 @@ struct PartModel {
   glm::vec3 radii;
   /// Unit vector in body axes; 0 for a part without the side of a cylinder.
   Eigen::Vector3d side_axis;
+  /// Whether it is foil on another part, over which it is drawn.
+  bool is_foil = false;
   /// The uniform across_from_body of body.vert.
   AcrossFromBody across_from_body;
   /// The nearest capsules of other parts, at most three: more would cost more at every pixel than
@@ -38,8 +40,8 @@ struct PartModel {
   /// Linear mean of the colours of its vertices, if they have any.
   std::optional<glm::vec3> mean_color;
 
-  /// Whether it touches a part that is drawn before it.
-  bool meets_others() const;
+  /// Whether it is lifted over a part that is drawn before it and that it touches.
+  bool is_lifted() const;
 };
 
 /// Returns the parts of a body with that mesh, whose bounding radius about the origin is `radius`

@@ -75,16 +75,18 @@ std::vector<Capsule> capsules_of(const body::Part& part) {
 std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
                                                  std::size_t most) {
   std::vector<std::vector<Capsule>> capsules;
-  std::vector<bool> have_round_side;
+  std::vector<bool> have_round_side, is_foil;
   for (const body::Part& part : parts) {
     capsules.push_back(capsules_of(part));
-    have_round_side.push_back(traits_of(part.shape).has_round_side);
+    const ShapeTraits traits = traits_of(part.shape);
+    have_round_side.push_back(traits.has_round_side);
+    is_foil.push_back(traits.is_foil);
   }
   std::vector<std::vector<Capsule>> result;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<std::pair<double, Capsule>> near;
     for (std::size_t j = 0; j < parts.size(); ++j) {
-      if (j == i) continue;
+      if (j == i || is_foil[i] || is_foil[j]) continue;
       for (Capsule other : capsules[j]) {
         if (other.is_of_plate || enclose(capsules[i], other)) continue;
         const double distance = gap(capsules[i], other);

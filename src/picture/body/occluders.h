@@ -28,7 +28,8 @@ struct Capsule {
 std::vector<Capsule> capsules_of(const body::Part& part);
 
 /// Returns, for each part, the capsules of the nearest occluders, those of the other parts that are
-/// close enough to shade it: nearest first, at most `most`. Plates shade no other parts.
+/// close enough to shade it: nearest first, at most `most`. Plates and foil shade no other
+/// parts, and foil, which shares the light of the part below, is not shaded either.
 std::vector<std::vector<Capsule>> find_occluders(std::span<const body::Part> parts,
                                                  std::size_t most);
 

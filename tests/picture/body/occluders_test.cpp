@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/body/meshes.h"
 #include "picture/t_wrench.h"
 
 namespace twrench::picture {
@@ -40,6 +41,18 @@ TEST(Neighbours, AreNoPlates) {
   EXPECT_EQ(occluders_of_ball_on(0.2), 0U);
   EXPECT_EQ(occluders_of_ball_on(1), 1U);
   EXPECT_EQ(occluders_of_ball_on(20), 1U) << "a rod";
+}
+
+TEST(Neighbours, AreNoFoil) {
+  const auto occluders = [](double shell) {
+    const body::Part ball{
+        body::Ellipsoid{Vector3d::Constant(1)}, 1, {0.5, 0.5, -1.01}, Eigen::Matrix3d::Identity()};
+    const body::Part sheet =
+        part_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}}, shell);
+    return find_occluders(std::vector{ball, sheet}, 3);
+  };
+  EXPECT_TRUE(occluders(0.001)[0].empty() && occluders(0.001)[1].empty());
+  EXPECT_FALSE(occluders(0.01)[0].empty() || occluders(0.01)[1].empty()) << "a wall";
 }
 
 TEST(Neighbours, AreNotHiddenInside) {
