@@ -9,6 +9,7 @@ import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # no __pycache__ beside the meshes
+from prints import hoop, lettering, moved, polhodes, rectangle
 from surfaces import (add, cap, closed, ellipse, grid, loft, mix, obj, painted, revolved, round_rows, rounded_rectangle,
                       smooth, sweep, thread_rows, unit)
 
@@ -198,23 +199,52 @@ def phone():
     return [body + between + painted("#07080b", cap(screen))]
 
 
+CLOTH = "#7c2529"
+
+
 def book():
-    """A book of 154 by 210 by 31 mm: pages, case, and a label on either side."""
-    def label(*heights):
-        return loft([[(x - 2.2, y + 44.0, z) for x, y in rounded_rectangle(39.0, 24.0, 1.0, 3)] for z in heights])
-    labels = [painted("#d2ab5a", label(*heights)) for heights in ((15.45, 15.8), (-15.8, -15.45))]
-    return [painted("#efe9d8", book_pages()), painted("#7c2529", book_case()), *labels]
+    """A book of 154 by 210 by 31 mm: pages and case."""
+    return [book_pages(), painted(CLOTH, book_case())]
+
+
+def book_print():
+    """The print on its case, in gold: open surfaces, 0.1 mm above the cloth."""
+    front = [[ring(56.0, 97.0, 1.6), ring(52.6, 93.6, 0.8)], lettering("ROTATION", 14.0, 3), polhodes(44.0, 40.0, 1.0, (0.28, 0.52, 0.76), 12),
+             lettering("L. POINSOT", 8.0, 2)]
+    heights = 0.0, 65.0, -4.0, -73.0
+    front = [moved(drawing, 14.0, y) for drawings, y in zip(front, heights) for drawing in drawings]
+    back = [moved(drawing, 14.0, 0.0) for drawing in [ring(56.0, 97.0, 1.6), *polhodes(22.0, 20.0, 0.9, (0.4, 0.75), 8)]]
+    sheets = [[[(x, y, 15.5) for x, y in polygon] for polygon in drawing] for drawing in front]
+    sheets += [[[(x, -y, -15.5) for x, y in polygon] for polygon in drawing] for drawing in back]
+    return sheets + book_bands()
+
+
+def ring(u, v, width):
+    """A frame with half sides u and v outside."""
+    return hoop(rectangle(u, v), rectangle(u - width, v - width))
 
 
 def book_pages():
-    """The pages, 142 by 204 by 24 mm, with a round back at -x and a hollow fore edge."""
-    rings, steps = [], 16
+    """The pages, 142 by 204 by 24 mm, with a round back at -x and a hollow fore edge, in sheets of various shades."""
+    rings, steps = [], 24
     for i in range(steps + 1):
         w = 2.0 * i / steps - 1.0
         bulge = 4.4 * (1.0 - w * w)
         left, right = -69.5 - bulge, 72.5 - bulge
-        rings.append([(x, y, 12.0 * w) for x, y in [(left, -102.0), (right, -102.0), (right, 102.0), (left, 102.0)]])
+        shade = 1.0 - 0.2 * (0.618034 * i * i % 1.0)
+        rings.append([(x, y, 12.0 * w, 0.94 * shade, 0.91 * shade, 0.85 * shade)
+                      for x, y in [(left, -102.0), (right, -102.0), (right, 102.0), (left, 102.0)]])
     return loft(rings)
+
+
+def book_bands():
+    """Bands across the spine."""
+    angles = [math.pi / 2.0 * (1.0 - i / 12) for i in range(1, 24)]
+    normals = [unit((-14.1 * math.cos(a), 0.0, 11.5 * math.sin(a))) for a in angles]
+    path = [add((-67.5 - 11.5 * math.cos(a), 0.0, 14.1 * math.sin(a)), n, 1.4) for a, n in zip(angles, normals)]
+    bands = (94.0, 1.6), (89.5, 0.6), (62.0, 0.6), (57.5, 1.6), (22.5, 1.6), (18.0, 0.6), (-62.0, 0.6), (-66.5, 1.6), \
+        (-89.5, 0.6), (-94.0, 1.6)
+    return [grid([[(x, y + side * half, z) for x, _, z in path] for side in (1.0, -1.0)]) for y, half in bands]
 
 
 def book_case():
@@ -263,19 +293,20 @@ def satellite_whips():
     return [whip(y, z) for y, z in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))]
 
 
-MESHES = [
+SOLIDS = [
     t_handle_shaft, wing_nut_hub, wing_nut_wings, racket_frame, racket_bridge, racket_handle, racket_strings, phone,
     book, hammer_head, hammer_claws, hammer_handle, satellite_payload, satellite_stage, satellite_stripes,
     satellite_whips,
 ]
+SHEETS = [book_print]  # open surfaces
 
 
 def main():
     check = sys.argv[1:] == ["--check"]
     stale = []
-    for make in MESHES:
+    for make in SOLIDS + SHEETS:
         path = FOLDER / f"{make.__name__.replace('_', '-')}.obj"
-        text = obj(f"In mm. Made by make_meshes.py: {' '.join(make.__doc__.split())}", make())
+        text = obj(f"In mm. Made by make_meshes.py: {' '.join(make.__doc__.split())}", make(), make in SHEETS)
         if not check:
             path.write_text(text)
         elif not path.exists() or path.read_text() != text:

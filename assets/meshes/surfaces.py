@@ -129,8 +129,11 @@ def painted(color, polygons):
     return [[point + channels for point in polygon] for polygon in polygons]
 
 
-def indexed(solid):
-    """The vertices and the faces of a solid, outward. Raises ValueError unless it is a closed manifold."""
+def indexed(solid, is_open=False):
+    """The vertices and the faces of a solid, outward, or of an open surface.
+
+    Raises ValueError unless it is a manifold, and closed if it is a solid.
+    """
     numbers, faces = {}, []
     for polygon in solid:
         ids = [numbers.setdefault(tuple(round(c, DIGITS) + 0.0 for c in p), len(numbers)) for p in polygon]
@@ -139,10 +142,10 @@ def indexed(solid):
             faces.append(face)
     edges = [(a, b) for f in faces for a, b in zip(f, f[1:] + f[:1])]
     once = set(edges)
-    if len(once) < len(edges) or any((b, a) not in once for a, b in once):
+    if len(once) < len(edges) or not is_open and any((b, a) not in once for a, b in once):
         raise ValueError("the solid is not closed, or not a manifold")
     vertices = list(numbers)
-    if volume(vertices, faces) < 0.0:
+    if not is_open and volume(vertices, faces) < 0.0:
         faces = [face[::-1] for face in faces]
     return vertices, faces
 
@@ -157,11 +160,11 @@ def volume(vertices, faces):
     return total
 
 
-def obj(comment, solids):
-    """The text of an OBJ file of solids; colours, if any, follow the coordinates."""
+def obj(comment, solids, is_open=False):
+    """The text of an OBJ file of solids, or of open surfaces; colours, if any, follow the coordinates."""
     lines, faces_text, first = [f"# {comment}"], [], 1
     for solid in solids:
-        vertices, faces = indexed(solid)
+        vertices, faces = indexed(solid, is_open)
         lines += ["v " + " ".join(f"{c:.{DIGITS}f}".rstrip("0").rstrip(".") for c in v) for v in vertices]
         faces_text += ["f " + " ".join(str(first + i) for i in face) for face in faces]
         first += len(vertices)

@@ -98,6 +98,15 @@ TEST(PageJson, TellsWhichPartsTouch) {
   EXPECT_FALSE(surface.at("marked"));
 }
 
+TEST(PageJson, TellsWhichPartsAreFoil) {
+  const ordered_json book = json_of(scene::load_scene("book")).at("surface").at("model");
+  const ordered_json wrench = json_of(scene::load_scene("dzhanibekov")).at("surface").at("model");
+  const std::size_t foil = 2 + 14, part = 16;  // the book has no occluders
+  EXPECT_EQ(book.at(foil), 0);
+  EXPECT_EQ(book.at(part + foil), 1) << "the print";
+  EXPECT_EQ(wrench.at(foil), 0);
+}
+
 TEST(PageJson, KeepsThePageSmall) {
   for (const std::string& name : scene::builtin_scene_names()) {
     const ordered_json surface = json_of(scene::load_scene(name)).at("surface");
