@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 sys.dont_write_bytecode = True  # no __pycache__ beside the meshes
-from prints import hoop, lettering, moved, polhodes, rectangle
+from prints import arc, hoop, lettering, moved, polhodes, rectangle
 from surfaces import (add, cap, closed, ellipse, grid, loft, mix, obj, painted, revolved, round_rows, rounded_rectangle,
                       smooth, sweep, thread_rows, unit)
 
@@ -181,22 +181,72 @@ def hammer_handle():
     return [loft([[(x, y, z) for x, z in ellipse(u, v, 36, 2.3)] for y, u, v in finer(sizes, 5)])]
 
 
+PHONE_X, PHONE_Y, PHONE_Z = 36.0, 75.0, 4.0  # half the sizes of a phone
+
+
+def phone_outline(inset):
+    return rounded_rectangle(PHONE_X - inset, PHONE_Y - inset, 11.0 - inset, 10)
+
+
 def phone():
-    """A phone, 72 by 150 by 8 mm, with round corners and edges, and a dark screen on the side of +z."""
-    u, v, corner, half, edge, steps = 36.0, 75.0, 11.0, 4.0, 2.2, 5
+    """A phone, 72 by 150 by 8 mm, with round corners and edges, and a picture on the side of +z."""
+    edge, steps = 2.2, 5
     def ring(inset, z):
-        return [(x, y, z) for x, y in rounded_rectangle(u - inset, v - inset, corner - inset, 10)]
+        return [(x, y, z) for x, y in phone_outline(inset)]
     rings = []
     for i in range(-steps, steps + 1):
         a = math.pi / 2.0 * i / steps
         sides = (-1.0, 1.0) if i == 0 else (math.copysign(1.0, i),)
-        rings += [ring(edge * (1.0 - math.cos(a)), edge * math.sin(a) + side * (half - edge)) for side in sides]
-    rim, screen = ring(2.6, half), ring(2.65, half)
+        rings += [ring(edge * (1.0 - math.cos(a)), edge * math.sin(a) + side * (PHONE_Z - edge)) for side in sides]
+    rim, screen = ring(2.6, PHONE_Z), ring(2.65, PHONE_Z)
     body = painted("#8fa6b8", cap(rings[0][::-1]) + grid([closed(r) for r in [*rings, rim]]))
-    between = [body_side + screen_side for body_side, screen_side in
-               zip(([a, b] for a, b in painted("#8fa6b8", zip(rim, closed(rim)[1:]))),
-                   ([b, a] for a, b in painted("#07080b", zip(screen, closed(screen)[1:]))))]
-    return [body + between + painted("#07080b", cap(screen))]
+    def on_screen(x, y, z):
+        height = 0.5 + 0.5 * y / PHONE_Y
+        return x, y, z, mix(0.03, 0.16, height), mix(0.10, 0.34, height), mix(0.30, 0.62, height)
+    picture = [[on_screen(*p) if p in screen else (*p, 0.30, 0.22, 0.56) for p in polygon] for polygon in cap(screen)]
+    between = [[a, b, on_screen(*d), on_screen(*c)] for (a, b), (c, d) in
+               zip(painted("#8fa6b8", zip(rim, closed(rim)[1:])), zip(screen, closed(screen)[1:]))]
+    return [body + between + picture]
+
+
+LENSES = (22.0, 60.0), (22.0, 42.0)  # on the back of the phone
+
+
+def phone_details():
+    """The lenses and the buttons of the phone."""
+    def lens(x, y):
+        metal, glass = "#a9b1b9", "#0b0d12"
+        profile = [(7.6, 3.9), (7.6, 5.1), (7.4, 5.5), (7.0, 5.7), (6.0, 5.7), (5.95, 5.7)]
+        *rings, inside = [[(u, v, -z) for u, v in arc(x, y, r, 360.0, 0.0, 48)[:-1]] for r, z in profile]
+        step = [[*edge, *within[::-1]] for edge, within in zip(painted(metal, zip(rings[-1], closed(rings[-1])[1:])),
+                                                                painted(glass, zip(inside, closed(inside)[1:])))]
+        return painted(metal, cap(rings[0][::-1]) + grid([closed(r) for r in rings])) + step + painted(glass, cap(inside))
+    def button(side, y, half):
+        return loft([[(side * x, y + u, v) for u, v in rounded_rectangle(half - inset, 1.1 - inset, 1.0 - inset, 4)]
+                     for x, inset in ((35.8, 0.0), (36.5, 0.0), (36.8, 0.3))])
+    buttons = [painted("#7f95a6", button(*each)) for each in ((1.0, 22.0, 8.0), (-1.0, 32.0, 7.0), (-1.0, 14.0, 7.0))]
+    return [lens(*centre) for centre in LENSES] + buttons
+
+
+def phone_print():
+    """The edges of its lenses, a lamp, and a border and a lock screen on its picture: open surfaces, 0.1 mm above it."""
+    def circle(x, y, radius, steps):
+        return arc(x, y, radius, 0.0, 360.0, steps)[:-1]
+    def on_back(color, drawing, z):
+        return painted(color, [[(x, y, -z) for x, y in polygon[::-1]] for polygon in drawing])
+    back = [on_back("#f3ead0", [circle(9.0, 60.0, 2.4, 24)], 4.1)]
+    for x, y in LENSES:
+        back.append(on_back("#0b0d12", hoop(circle(x, y, 6.2, 40), circle(x, y, 5.4, 40)), 5.8))
+        back.append(on_back("#34425c", hoop(circle(x, y, 3.6, 32), circle(x, y, 2.9, 32)), 5.8))
+    clock = [moved(digit, 0.0, 42.0) for digit in lettering("17:10", 17.0, 3)]
+    white = [*clock, moved([rectangle(13.0, 1.1)], 0.0, 26.5)]
+    white += [moved(drawing, 0.0, -12.0) for drawing in polhodes(25.0, 23.0, 0.9, (0.28, 0.52, 0.76), 12)]
+    white += [moved([rectangle(13.0, 0.8)], 0.0, -67.0)]
+    white += [hoop(circle(x, -53.0, 6.0, 32), circle(x, -53.0, 5.0, 32)) for x in (-22.0, 22.0)]
+    black = [hoop(phone_outline(2.2), phone_outline(4.6)), [circle(0.0, 64.0, 2.3, 24)]]
+    def on_front(color, drawings):
+        return [painted(color, [[(x, y, 4.1) for x, y in polygon] for polygon in drawing]) for drawing in drawings]
+    return back + on_front("#f4f6fb", white) + on_front("#050608", black)
 
 
 CLOTH = "#7c2529"
@@ -294,11 +344,11 @@ def satellite_whips():
 
 
 SOLIDS = [
-    t_handle_shaft, wing_nut_hub, wing_nut_wings, racket_frame, racket_bridge, racket_handle, racket_strings, phone,
+    t_handle_shaft, wing_nut_hub, wing_nut_wings, racket_frame, racket_bridge, racket_handle, racket_strings, phone, phone_details,
     book, hammer_head, hammer_claws, hammer_handle, satellite_payload, satellite_stage, satellite_stripes,
     satellite_whips,
 ]
-SHEETS = [book_print]  # open surfaces
+SHEETS = [book_print, phone_print]  # open surfaces
 
 
 def main():

@@ -55,7 +55,7 @@ def bowl(stroke, low, width, steps):
 
 
 def letters(steps):
-    """Capitals 1 high, as (width, drawing), for the words that are printed; `steps` segments in an eighth of an O."""
+    """Capitals and digits 1 high, as (width, drawing), those that are printed; `steps` segments in an eighth of an O."""
     s, low = 0.17, 0.44  # the width of the strokes, and where the bowls of P and R begin
     stem = [(0.0, 0.0), (s, 0.0), (s, low), (s, low + s), (s, 1.0 - s), (0.5 * s, 1.0), (0.0, 1.0)]
     radius = (1.0 - s) / 4.0
@@ -83,13 +83,19 @@ def letters(steps):
         "S": (0.6, line(spine[::-1], s)),
         "T": (0.7, [[(0.0, 1.0 - s), (0.35 - s / 2.0, 1.0 - s), (0.35 - s / 2.0, 0.0), (0.35 + s / 2.0, 0.0),
                      (0.35 + s / 2.0, 1.0 - s), (0.7, 1.0 - s), (0.7, 1.0), (0.0, 1.0)]]),
+        "0": (0.66, moved(hoop(oval(0.33, 0.52, 8 * steps), oval(0.33 - s, 0.52 - s, 8 * steps)), 0.33, 0.5)),
+        "1": (0.36, [[(0.36 - s, 0.0), (0.36, 0.0), (0.36, 1.0), (0.36 - s, 1.0), (0.0, 0.82), (0.0, 0.66),
+                      (0.36 - s, 0.8)]]),
+        "7": (0.6, [[(0.12, 0.0), (0.12 + s * 1.1, 0.0), (0.6, 1.0 - s), (0.6, 1.0), (0.0, 1.0), (0.0, 1.0 - s),
+                     (0.6 - s * 1.1, 1.0 - s)]]),
+        ":": (s, [[(0.0, y), (s, y), (s, y + s), (0.0, y + s)] for y in (0.2, 0.65)]),
         ".": (s, [[(0.0, 0.0), (s, 0.0), (s, s), (0.0, s)]]),
         " ": (0.2, []),
     }
 
 
 def lettering(text, height, steps):
-    """A line of capitals of that height, centred; the drawing of each letter by itself."""
+    """Returns the drawing of each letter in a centred line of that height."""
     alphabet, gap = letters(steps), 0.16
     width = sum(alphabet[c][0] + gap for c in text) - gap
     at, drawings = -width / 2.0, []

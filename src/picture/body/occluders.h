@@ -19,7 +19,7 @@ struct Capsule {
   /// The index of the part that it approximates.
   std::size_t part = 0;
   /// Whether it approximates a plate, out of which it sticks on both sides. Its shadow on the floor
-  /// resembles that of the plate, but it would darken what lies on the plate.
+  /// resembles that of the plate, but it would darken the parts on the plate.
   bool is_of_plate = false;
 };
 

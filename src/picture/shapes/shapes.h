@@ -46,7 +46,7 @@ struct ShapeTraits {
   std::optional<AxisCapsule> occluder;
   /// Whether the shader can find the seam where another part enters its side.
   bool has_round_side;
-  /// Whether it is paint or foil on another part, from which no view distinguishes it in depth.
+  /// Whether it is foil, such as print, on another part.
   bool is_foil = false;
   Middle middle;
   /// A diagonal tensor with the symmetry of the shape under rotations by small angles.
