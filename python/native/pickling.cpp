@@ -118,6 +118,10 @@ py::tuple Writer::body(const scene::Body& body) {
   return py::make_tuple(parts, body.inertia, static_cast<int>(body.drawn_as));
 }
 
+py::tuple sound_state(const scene::SoundFile& sound) {
+  return py::make_tuple(sound.file, sound.path);
+}
+
 py::tuple Writer::scene(const Scene& from) {
   py::dict values;
   for (const scene::Field& field : scene::fields()) {
@@ -128,11 +132,11 @@ py::tuple Writer::scene(const Scene& from) {
   for (const scene::Shot& shot : from.shots) {
     py::list speeds;
     for (const auto& [time, value] : shot.speed.points) speeds.append(py::make_tuple(time, value));
-    shots.append(
-        py::make_tuple(scene(shot.scene), shot.fade, shot.move, shot.start, speeds, shot.place));
+    shots.append(py::make_tuple(scene(shot.scene), shot.fade, shot.move, shot.start, speeds,
+                                shot.place, sound_state(shot.narration)));
   }
   return py::make_tuple(from.name, values, body(from.body), from.caption, from.length, shots,
-                        origins_state(from.origins));
+                        origins_state(from.origins), sound_state(from.film.audio));
 }
 
 /// Throws the error of a damaged state, unless `is_right`.
@@ -239,6 +243,10 @@ scene::Origins origins_with(const py::tuple& state) {
   return origins;
 }
 
+scene::SoundFile sound_with(const py::tuple& state) {
+  return {state[0].cast<std::string>(), state[1].cast<std::filesystem::path>()};
+}
+
 scene::Body Reader::body(const py::tuple& state) {
   scene::Body body;
   for (const py::handle& handle : state[0]) {
@@ -277,6 +285,7 @@ scene::Shot Reader::shot(const py::tuple& state) {
   require(shot.scene.length.has_value() && !shot.speed.points.empty() &&
           std::ranges::is_sorted(shot.speed.points, {}, &scene::SpeedCurve::Point::time));
   shot.place = state[5].cast<std::string>();
+  shot.narration = sound_with(state[6].cast<py::tuple>());
   return shot;
 }
 
@@ -298,6 +307,7 @@ Scene Reader::scene(const py::tuple& state) {
     made.shots.push_back(shot(handle.cast<py::tuple>()));
   }
   made.origins = origins_with(state[6]);
+  made.film.audio = sound_with(state[7].cast<py::tuple>());
   return made;
 }
 

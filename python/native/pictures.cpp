@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/color.h"
 #include "base/enumeration.h"
@@ -53,15 +56,15 @@ video::Quality quality_of(const std::optional<std::string>& effort, std::optiona
   return quality;
 }
 
-/// Returns the number of frames.
-std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& video,
-                   const std::optional<std::string>& container, bool chapters,
-                   const std::optional<std::string>& effort, std::optional<int> crf,
-                   const std::optional<fs::path>& frames_folder, const std::string& range,
-                   const std::optional<std::string>& shard, const std::string& existing,
-                   std::optional<int> jobs, const std::string& backend,
-                   const std::optional<std::string>& egl_device,
-                   const std::vector<fs::path>& inputs, const py::object& progress) {
+/// Returns the number of frames, and warnings.
+std::pair<std::size_t, std::vector<std::string>> render(
+    const scene::Scene& scene, const std::optional<fs::path>& video,
+    const std::optional<std::string>& container, bool chapters,
+    const std::optional<std::string>& effort, std::optional<int> crf,
+    const std::optional<fs::path>& frames_folder, const std::string& range,
+    const std::optional<std::string>& shard, const std::string& existing, std::optional<int> jobs,
+    const std::string& backend, const std::optional<std::string>& egl_device,
+    const std::vector<fs::path>& inputs, const py::object& progress) {
   film::RenderSettings settings;
   settings.frames_folder = frames_folder;
   if (video) {
@@ -81,7 +84,7 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
     settings.stop = &stop;
     film::RenderJob job(scene, settings);
     job.run(progress_for(progress, stop));
-    return job.size();
+    return std::pair(job.size(), job.warnings());
   });
 }
 
@@ -89,14 +92,17 @@ std::size_t render(const scene::Scene& scene, const std::optional<fs::path>& vid
 std::size_t encode(const fs::path& folder, const fs::path& path,
                    const std::optional<std::string>& container, bool chapters,
                    const std::optional<std::string>& effort, std::optional<int> crf,
-                   std::optional<int> width, bool allow_missing, bool overwrite,
+                   std::optional<int> width, const std::optional<fs::path>& audio,
+                   bool leave_sound_out, bool allow_missing, bool overwrite,
                    const py::object& progress) {
   video::VideoOutput output{
       .path = path,
       .container = container ? video::container_named(*container) : video::container_of(path),
       .overwrite = overwrite,
       .chapters = chapters,
-      .quality = quality_of(effort, crf)};
+      .quality = quality_of(effort, crf),
+      .audio = audio.value_or(fs::path()),
+      .leave_sound_out = leave_sound_out};
   if (width) {
     if (!video::is_animated_image(output.container)) {
       throw InvalidArgument("width", "only animated images are scaled", "leave it out");

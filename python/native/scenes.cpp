@@ -54,6 +54,7 @@ std::map<std::string, std::vector<std::string>> names_of_values() {
   std::vector<std::string> methods;
   for (const motion::Method& method : motion::methods()) methods.emplace_back(method.name);
   return {{"MethodName", methods},
+          {"SoundName", enumerator_names<scene::Sound>()},
           {"ThemeName", enumerator_names<scene::Theme>()},
           {"MaterialName", scene::material_names()},
           {"FrameName", enumerator_names<scene::Frame>()},

@@ -349,7 +349,7 @@ def render(
     egl_device: str | None,
     inputs: list[Path],
     progress: Callable[[int, int], object] | None,
-) -> int: ...
+) -> tuple[int, list[str]]: ...
 def encode(
     folder: Path,
     video: Path,
@@ -358,6 +358,8 @@ def encode(
     encode: str | None,
     crf: int | None,
     width: int | None,
+    audio: Path | None,
+    leave_sound_out: bool,
     allow_missing: bool,
     overwrite: bool,
     progress: Callable[[int, int], object] | None,

@@ -6,7 +6,7 @@ import base64
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Iterable, Iterator, Union
+from typing import Any, Callable, Iterable, Iterator, Literal, Union
 
 from . import _arguments, _native
 from .errors import UsageError
@@ -63,6 +63,8 @@ def encode(
     encode: EffortName | None = None,
     crf: int | None = None,
     width: int | None = None,
+    audio: StrPath | None = None,
+    sound: Literal["none"] | None = None,
     allow_missing: bool = False,
     overwrite: bool = False,
     progress: Progress = True,
@@ -76,6 +78,9 @@ def encode(
     :param encode: as in :meth:`Scene.render`.
     :param crf: as in :meth:`Scene.render`.
     :param width: width of an animated image in pixels; None for that of the frames, but at most 640.
+    :param audio: a sound file under the video, trimmed to it or followed by silence.
+    :param sound: "none" leaves out the sound of the scene, which the frames do not contain;
+        :meth:`Scene.render` with ``resume`` adds it.
     :param allow_missing: encode the frames that exist even if some are missing.
     :param overwrite: replace an existing video of another motion.
     :param progress: as in :meth:`Scene.render`.
@@ -88,6 +93,9 @@ def encode(
     video = Path(_arguments.path("path", path))
     chosen = None if container is None else _arguments.text("container", container)
     pixels = None if width is None else _arguments.whole("width", width, 1, 2**31 - 1)
+    track = None if audio is None else Path(_arguments.path("audio", audio))
+    if sound not in (None, "none"):
+        raise UsageError(f"sound: must be 'none' or None, not {_arguments.brief(sound)}")
     with reporting(progress) as report:
         count = _native.encode(
             folder,
@@ -96,6 +104,8 @@ def encode(
             bool(chapters),
             *quality(encode, crf),
             pixels,
+            track,
+            sound is not None,
             bool(allow_missing),
             bool(overwrite),
             report,

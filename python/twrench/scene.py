@@ -42,6 +42,7 @@ from .names import (
     MethodName,
     Numbers,
     Rows,
+    SoundName,
     StrPath,
     ThemeName,
     UnitName,
@@ -147,6 +148,13 @@ class _Wheel(_Value[Optional[Vector]]):
         super().__set__(scene, (0.0, 0.0, 0.0) if value is None else value)
 
 
+class _Audio(_Value[Optional[str]]):
+    """The path of a sound file; None for none."""
+
+    def __set__(self, scene: Scene, value: Any) -> None:
+        super().__set__(scene, "" if value is None else value)
+
+
 class _EnergyLossTime(_Value[Optional[float]]):
     """The time constant of the energy loss; None or infinity for none."""
 
@@ -207,6 +215,8 @@ class Scene:
     size = _Value[tuple[int, int]]()
     fps = _Value[float]()
     speed = _Value[float]()
+    audio = _Audio()
+    sound = _Value[SoundName]()
     theme = _Value[ThemeName]()
     samples = _Value[int]()
     motion_blur = _Value[int]()
@@ -255,6 +265,8 @@ class Scene:
         size: tuple[int, int] = UNSET,
         fps: float = UNSET,
         speed: float = UNSET,
+        audio: StrPath | None = UNSET,
+        sound: SoundName = UNSET,
         theme: ThemeName = UNSET,
         samples: int = UNSET,
         motion_blur: int = UNSET,
@@ -697,7 +709,7 @@ class Scene:
         device = _egl_device(egl_device, drawn_by)
         part = None if shard is None else _shard(shard)
         with reporting(progress) as report:
-            count = _native.render(
+            count, notes = _native.render(
                 self._snapshot(),
                 video,
                 chosen,
@@ -713,6 +725,8 @@ class Scene:
                 inputs,
                 report,
             )
+        for note in notes:
+            warnings.warn(note, stacklevel=2)
         return Film(video, folder, count)
 
 

@@ -5,6 +5,7 @@
 #include <future>
 #include <utility>
 
+#include "film/film_sound.h"
 #include "film/output_space.h"
 #include "image/png.h"
 #include "scene/scene_json.h"
@@ -78,6 +79,7 @@ std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings
                                                   const scene::Scene& scene,
                                                   const std::string& identity,
                                                   const video::TextTracks& tracks,
+                                                  std::shared_ptr<const video::SoundTrack> sound,
                                                   std::future<void> trial) {
   const fs::path& path = settings.video->path;
   std::error_code failed;
@@ -85,8 +87,9 @@ std::unique_ptr<video::VideoEncoder> open_encoder(const RenderSettings& settings
     trial.get();
     system::make_folder(path.parent_path());
   }
-  auto encoder = std::make_unique<video::VideoEncoder>(
-      path, video_format(scene, *settings.video), identity, tracks.chapters, patience_of(settings));
+  auto encoder = std::make_unique<video::VideoEncoder>(path, video_format(scene, *settings.video),
+                                                       identity, tracks.chapters,
+                                                       patience_of(settings), std::move(sound));
   if (trial.valid()) trial.get();
   return encoder;
 }
@@ -164,6 +167,11 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     : scene_(scene), settings_(std::move(settings)) {
   const std::vector<int> asked = asked_frames(scene_, settings_.range);  // of all shards
   const std::vector<int> numbers = video::frames_of_shard(asked, settings_.shard);
+  if (settings_.video) {
+    require_sound_container(scene_, settings_.video->container);
+    const bool has_sound = video::output_format(settings_.video->container).sound != nullptr;
+    if (has_sound) warnings_ = check_narration(scene_);
+  }
   gl_trial_.emplace(settings_.backend);  // forks, so do it before there are threads
   std::future<void> encoder_trial = try_encoder(settings_, scene_);
   {
@@ -190,7 +198,9 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
 
   if (settings_.video) {
     const auto tracks = text_tracks_of(scene_, *timeline_, *settings_.video);
-    encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(encoder_trial));
+    auto sound = sound_track(scene_, numbers, settings_.video->container, patience_of(settings_));
+    encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(sound),
+                            std::move(encoder_trial));
     // While the encoder waited for another run to end, that run may have written the video.
     if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
     text_tracks_ = std::make_unique<video::TextTrackFiles>(settings_.video->path, tracks, identity,

@@ -65,7 +65,7 @@ class RenderJob {
  public:
   /// Opens OpenGL and the outputs. All errors that can be detected in advance are thrown here,
   /// before the first frame: InvalidArgument, MotionError, GlError, EncoderError, FileError and
-  /// OverwriteError as the stages throw them, and SpaceError.
+  /// OverwriteError as the stages throw them, and SpaceError. Synthesises and encodes the sound.
   RenderJob(const scene::Scene& scene, RenderSettings settings);
 
   /// Returns the number of frames of the run.
@@ -73,6 +73,9 @@ class RenderJob {
 
   /// Returns which OpenGL is used instead of the requested one, and why; usually empty.
   const std::string& note() const { return opened_.note; }
+
+  /// Returns warnings about the sound; usually none.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Draws and writes all frames, and completes the video. `progress` may be empty. Throws as the
   /// stages do; the frames written until then are recorded in the manifest.
@@ -95,6 +98,7 @@ class RenderJob {
   std::optional<timeline::FilmTimeline> timeline_;  ///< Like the next two, set when constructed.
   gl::OpenedContext opened_;
   std::optional<draw::FilmRenderer> renderer_;
+  std::vector<std::string> warnings_;
   std::vector<video::FrameRecord> frames_;  ///< Each is complete when its drawing begins.
   std::optional<FramesOutput> output_;
   std::unique_ptr<video::VideoEncoder> encoder_;

@@ -35,6 +35,10 @@ ordered_json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 ordered_json to_json(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
+ordered_json to_json(const SoundFile& sound) {
+  return sound.is_given() ? ordered_json(sound.file) : ordered_json();
+}
+
 ordered_json to_json(const Color& color) { return to_string(color); }
 
 ordered_json to_json(const std::set<Feature>& features) {
@@ -250,6 +254,13 @@ auto any_text() {
   return Conversion{{}, [](const std::string& text, const std::string& /*what*/) { return text; }};
 }
 
+/// A path from the current folder.
+auto sound_file() {
+  return Conversion{{}, [](const std::string& file, const std::string& /*what*/) {
+                      return SoundFile{file, file};
+                    }};
+}
+
 auto color() { return Conversion{{.names = color_names(), .is_color = true}, parse_color}; }
 
 Texts method_names() {
@@ -347,6 +358,13 @@ const std::vector<Field>& fields() {
                    "the time of a turn"},
                   within(limits::speed), [](auto& s) -> auto& { return s.film.speed; }),
               &Origins::speed),
+      complete<text>(
+          {"film", "audio", "FILE",
+           "sound file under the video, trimmed to it or followed by silence", "none"},
+          sound_file(), [](auto& s) -> auto& { return s.film.audio; }),
+      choice<Sound>(
+          {"film", "sound", "NAME", "sound that is synthesised"},
+          [](auto& s) -> auto& { return s.film.sound; }),
 
       choice<Theme>(
           {"look", "theme", "NAME", "theme"}, [](auto& s) -> auto& { return s.look.theme; }),

@@ -26,7 +26,8 @@ struct MeshEntry {
 MeshEntry mesh_entry(mesh::MeshFile mesh, const std::string& file,
                      const std::filesystem::path& path, const mesh::ReadOptions& options);
 
-/// The meshes of a scene file. Each is read once, even if several parts use it.
+/// The files that a scene file names: its meshes and its sounds. Each mesh is read once, even if
+/// several parts use it.
 class MeshFiles {
  public:
   /// The meshes of a scene file, with paths relative to its folder. If there is no such file, the
@@ -39,6 +40,11 @@ class MeshFiles {
   /// Reads a mesh. Throws FileError, and InvalidArgument if the mesh is invalid or if too many
   /// triangles are read again with other options: a short scene file must not take minutes.
   const MeshEntry& read(const std::string& file, const mesh::ReadOptions& options);
+
+  /// Returns the sound file with that path from the folder of the scene file, without reading it.
+  SoundFile sound(const std::string& file) const {
+    return {file, folder_.value_or(std::filesystem::path()) / file};
+  }
 
  private:
   using Key = std::tuple<std::string, std::optional<double>, double, double>;

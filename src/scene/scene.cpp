@@ -164,7 +164,9 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
     files.push_back(part.mesh->path);
     files.insert(files.end(), part.mesh->others.begin(), part.mesh->others.end());
   }
+  if (scene.film.audio.is_given()) files.push_back(scene.film.audio.path);
   for (const Shot& shot : scene.shots) {
+    if (shot.narration.is_given()) files.push_back(shot.narration.path);
     const std::vector<std::filesystem::path> more = input_files(shot.scene);
     files.insert(files.end(), more.begin(), more.end());
   }

@@ -106,7 +106,23 @@ struct Motion {
   bool is_rigid() const { return !wheel && !energy_loss_time; }
 };
 
-/// The frames of the video.
+/// A sound file.
+struct SoundFile {
+  /// The file as it was given; empty for none.
+  std::string file;
+  /// The path from which it is read.
+  std::filesystem::path path;
+
+  bool is_given() const { return !file.empty(); }
+};
+
+/// Sound that is synthesised.
+enum class Sound {
+  none,    ///< None.
+  motion,  ///< That of the motion: a whoosh that follows the speed, and an accent at each flip.
+};
+
+/// The frames of the video, and its sound.
 struct Film {
   /// Size in pixels.
   int width = 1920, height = 1080;
@@ -114,6 +130,10 @@ struct Film {
   double fps = 60.0;
   /// Seconds of motion per second of video.
   double speed = 6.0;
+  /// The sound file under the video.
+  SoundFile audio = {};
+  /// The sound that is synthesised.
+  Sound sound = Sound::none;
 
   /// Returns the time of the motion in s for a frame: frame * speed / fps, never accumulated.
   double time_of(int frame) const { return frame * speed / fps; }
@@ -319,6 +339,8 @@ struct Shot {
   double start = 0.0;
   /// Seconds of motion per second of video, against the time since the start of the shot.
   SpeedCurve speed;
+  /// The sound file that starts with the shot.
+  SoundFile narration = {};
   /// Its location in the file, for messages: "FILE:LINE: shot[2]".
   std::string place;
 
@@ -369,8 +391,8 @@ std::vector<std::string> mesh_notes(const Scene& scene);
 /// Returns the notes on the meshes of a body.
 std::vector<std::string> mesh_notes(const Body& body);
 
-/// Returns the files that a scene uses besides its own file: meshes and a font, including those of
-/// its shots.
+/// Returns the files that a scene uses besides its own file: meshes, a font and sounds, including
+/// those of its shots.
 std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 /// Returns the names of the built-in scenes.

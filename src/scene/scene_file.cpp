@@ -59,6 +59,7 @@ Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) 
   for (const std::string& name : field_tables()) {
     file.table(name, [&](TomlTable& table) { read_fields(table, name, scene); });
   }
+  if (scene.film.audio.is_given()) scene.film.audio = meshes.sound(scene.film.audio.file);
   require_interior(file, scene);
   mark_as_of_scene(scene);
   set_natural_times(scene);

@@ -109,6 +109,7 @@ ordered_json shot_json(const Shot& shot, const Scene& film) {
                     {"move", shot.move},
                     {"start", shot.start},
                     {"speed", speed_json(shot.speed)}};
+  if (shot.narration.is_given()) json["narration"] = shot.narration.file;
   for (const Field& field : fields()) {
     ordered_json value = field.get(shot.scene);
     if (field.table == "film" || value == field.get(film)) continue;

@@ -160,6 +160,8 @@ void ShotReader::read(TomlTable& table) {
   }
   shot.speed = read_speed(table, length, shot.scene.film.speed);
   if (shot.speed.fastest() > 0) shot.scene.film.speed = shot.speed.fastest();
+  const auto narration = table.value("narration", ValueForm::Kind::text);
+  if (narration) shot.narration = meshes_.sound(narration->get<std::string>());
   shot.scene.origins.duration = shot.scene.origins.speed = Origin::scene;
   motion_of_shot_.push_back(motion_of(shot.scene));
   const auto start = table.value("start", ValueForm::Kind::number);

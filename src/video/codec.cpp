@@ -42,6 +42,14 @@ constexpr Codec gif{"gif", "-loop 0", "animated images in GIF"};
 constexpr Codec webp{"libwebp_anim", "-quality 97 -compression_level 4 -loop 0",
                      "animated images in WebP"};
 
+/// All players and browsers play it. The first packet only fills the decoder: it precedes the
+/// sound, and containers that cannot skip it would delay the sound or the picture by 21 ms.
+constexpr SoundCodec aac{"aac", "-c:a aac -b:a 192k -bsf:a noise=drop=lt(pts\\,0) -f mp4",
+                         "sound in MP4, MOV and MKV"};
+/// WebM allows only Opus and Vorbis. Shorter packets end closer to the end of the film.
+constexpr SoundCodec opus{"libopus", "-c:a libopus -b:a 160k -frame_duration 10 -f webm",
+                          "sound in WebM"};
+
 // Browsers slow down a GIF that shows a frame for less than 0.02 s, and a WebP for less than 0.011
 // s. They play MOV, and usually MKV, as if it were MP4.
 constexpr std::array formats{OutputFormat{.container = Container::mp4,
@@ -50,6 +58,7 @@ constexpr std::array formats{OutputFormat{.container = Container::mp4,
                                           .muxer = "mp4",
                                           .media_type = "video/mp4",
                                           .opaque = {&h264, "yuv420p"},
+                                          .sound = &aac,
                                           .has_index = true},
                              OutputFormat{.container = Container::mov,
                                           .ending = "mov",
@@ -58,20 +67,23 @@ constexpr std::array formats{OutputFormat{.container = Container::mp4,
                                           .media_type = "video/mp4",
                                           .opaque = {&h264, "yuv420p"},
                                           .transparent = {&prores, "yuva444p10le"},
+                                          .sound = &aac,
                                           .has_index = true},
                              OutputFormat{.container = Container::matroska,
                                           .ending = "mkv",
                                           .label = "MKV",
                                           .muxer = "matroska",
                                           .media_type = "video/mp4",
-                                          .opaque = {&h264, "yuv420p"}},
+                                          .opaque = {&h264, "yuv420p"},
+                                          .sound = &aac},
                              OutputFormat{.container = Container::webm,
                                           .ending = "webm",
                                           .label = "WebM",
                                           .muxer = "webm",
                                           .media_type = "video/webm",
                                           .opaque = {&vp9, "yuv420p"},
-                                          .transparent = {&vp9, "yuva420p"}},
+                                          .transparent = {&vp9, "yuva420p"},
+                                          .sound = &opus},
                              OutputFormat{.container = Container::gif,
                                           .ending = "gif",
                                           .label = "GIF",

@@ -55,6 +55,16 @@ struct Encoding {
   const char* pixels;
 };
 
+/// An encoder of ffmpeg for sound.
+struct SoundCodec {
+  /// ffmpeg's name.
+  const char* name;
+  /// Its options, with the container for the sound alone.
+  const char* options;
+  /// A description for users.
+  const char* use;
+};
+
 /// A file format of videos.
 struct OutputFormat {
   Container container;
@@ -70,6 +80,8 @@ struct OutputFormat {
   Encoding opaque;
   /// For frames with alpha; no codec if the format does not keep alpha.
   Encoding transparent = {};
+  /// For sound; null if the format has none.
+  const SoundCodec* sound = nullptr;
   /// Whether an index of the frames can precede them.
   bool has_index = false;
   /// Whether it is an animated image: it plays without a player, has any size and no chapters, and

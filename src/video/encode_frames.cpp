@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <future>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "video/error.h"
 #include "video/frame_range.h"
 #include "video/manifest_folder.h"
+#include "video/sound_track.h"
 #include "video/text_tracks.h"
 #include "video/video_file.h"
 
@@ -149,6 +151,36 @@ TextTracks text_tracks_of(const Manifest& manifest, const VideoOutput& output) {
   return tracks;
 }
 
+/// Gives the scene of the manifest the sound that the video will have.
+void set_sound(Manifest& manifest, const VideoOutput& output) {
+  const OutputFormat& format = output_format(output.container);
+  if (!output.audio.empty() && format.sound == nullptr) {
+    throw InvalidArgument(
+        "audio", fmt::format("{} has no sound", format.label),
+        "leave it out, or choose " +
+            listed(format_texts(&OutputFormat::ending, &OutputFormat::sound), "or"));
+  }
+  const bool is_replaced = output.leave_sound_out || !output.audio.empty();
+  if (!is_replaced && format.sound != nullptr && has_sound(manifest.scene)) {
+    throw InvalidArgument("sound", "the scene has sound, which its frames do not contain",
+                          "give --sound none or an --audio file, or make the video by the command "
+                          "that drew the frames, with --resume");
+  }
+  manifest.scene = without_sound(std::move(manifest.scene));
+  if (output.audio.empty() || !manifest.scene.is_object()) return;
+  nlohmann::ordered_json& film = manifest.scene["film"];
+  if (!film.is_object()) film = nlohmann::ordered_json::object();
+  film["audio"] = output.audio.string();
+}
+
+/// The sound of the video, encoded; null if it has none.
+std::shared_ptr<const SoundTrack> sound_of(const Manifest& manifest, const VideoOutput& output) {
+  if (output.audio.empty()) return nullptr;
+  const double length = double(manifest.frames.size()) / manifest.fps;
+  return std::make_shared<SoundTrack>(
+      SoundMix{.files = {{output.audio}}, .end = length, .film_length = length}, output.container);
+}
+
 VideoFormat format_of(const Manifest& manifest, const VideoOutput& output, bool transparent) {
   VideoFormat format{.width = manifest.width,
                      .height = manifest.height,
@@ -171,6 +203,8 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   const bool some_left = !manifest.frames.empty() && when_missing == MissingFrames::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
   require_no_input(output.path, folder, manifest);
+  system::require_not_input(output.path, output.audio);
+  set_sound(manifest, output);
   std::vector<int> shown(manifest.frames.size());
   std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
   const std::string identity = video_identity(manifest, shown);
@@ -179,9 +213,10 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
   const VideoFormat format = format_of(manifest, output, transparent);
   require_encoder(format);
+  auto sound = sound_of(manifest, output);
   if (output.path.has_parent_path()) system::make_folder(output.path.parent_path());
   const TextTracks tracks = text_tracks_of(manifest, output);
-  VideoEncoder encoder(output.path, format, identity, tracks.chapters);
+  VideoEncoder encoder(output.path, format, identity, tracks.chapters, {}, std::move(sound));
   // While the encoder waited for another run to end, that run may have written the video.
   if (!output.overwrite) require_replaceable(output.path, identity);
   TextTrackFiles track_files(output.path, tracks, identity, output.overwrite);

@@ -27,6 +27,10 @@ struct VideoOutput {
   std::optional<int> width = std::nullopt;
   /// Effort and quality of the encoder.
   Quality quality = {};
+  /// A sound file under the video; empty for none.
+  std::filesystem::path audio = {};
+  /// Whether to leave out the sound of the scene, which the frames do not contain.
+  bool leave_sound_out = false;
 };
 
 /// Encodes the frames in a folder as listed in its manifests: the one of a run, those of shards, or
@@ -34,6 +38,8 @@ struct VideoOutput {
 /// using it. `progress` receives the numbers of encoded frames and of all frames. Returns the
 /// frames left out. Throws FramesError as read_manifests() does, if frames of the range are missing
 /// and that is not allowed, if all are missing, or if a file differs from the frame that was drawn;
+/// InvalidArgument if the scene has sound that is neither replaced nor left out, or the container
+/// has none; as sound_length() and SoundTrack do;
 /// OverwriteError if the output is a file of the folder, or another film that must not be
 /// overwritten; and as VideoEncoder does.
 std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoOutput& output,

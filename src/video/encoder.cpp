@@ -15,6 +15,7 @@
 #include "system/file.h"
 #include "system/program.h"
 #include "video/error.h"
+#include "video/ffprobe.h"
 #include "video/video_file.h"
 
 namespace twrench::video {
@@ -49,12 +50,19 @@ std::string output_argument(const system::PendingFile& file) {
   return file.is_direct() ? "pipe:1" : "file:" + file.path().string();
 }
 
-/// The arguments of the second input, which contains the chapters.
-Arguments chapter_arguments(const std::optional<system::MemoryFile>& chapters) {
-  if (!chapters) return {};
-  return {
-      "-f", "ffmetadata", "-i", "pipe:" + std::to_string(chapters->descriptor()), "-map_chapters",
-      "1"};
+/// The arguments of the inputs after the frames, which contain the chapters and the sound.
+Arguments more_inputs(const std::optional<system::MemoryFile>& chapters, const SoundTrack* sound) {
+  Arguments inputs, uses;
+  if (chapters) {
+    inputs = {"-f", "ffmetadata", "-i", "pipe:" + std::to_string(chapters->descriptor())};
+    uses = {"-map_chapters", "1"};
+  }
+  if (sound != nullptr) {
+    const std::string number = chapters ? "2" : "1";
+    inputs.insert(inputs.end(), {"-i", sound->input()});
+    uses.insert(uses.end(), {"-map", "0:v", "-map", number + ":a", "-c:a", "copy"});
+  }
+  return joined({inputs, uses});
 }
 
 }  // namespace
@@ -81,12 +89,13 @@ void require_encoder(const VideoFormat& format, system::Patience patience) {
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
                            const std::string& identity, const std::vector<Cue>& chapters,
-                           system::Patience patience)
+                           system::Patience patience, std::shared_ptr<const SoundTrack> sound)
     : format_(format),
       step_(format.frame_step()),
       identity_(identity),
       patience_(patience),
       name_(output == "-" ? "standard output" : output.string()),
+      sound_(std::move(sound)),
       file_(output == "-" ? "/dev/fd/1" : output),
       converted_{Converted(format), Converted(format)} {
   file_.claim();
@@ -101,7 +110,7 @@ VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoForma
 Arguments VideoEncoder::rest_of_command() const {
   VideoFormat format = format_;
   format.streamed = file_.is_direct();  // it may not be seekable
-  Arguments arguments = joined({chapter_arguments(chapters_), output_arguments(format)});
+  Arguments arguments = joined({more_inputs(chapters_, sound_.get()), output_arguments(format)});
   if (!identity_.empty()) arguments.insert(arguments.end(), {"-metadata", "comment=" + identity_});
   arguments.push_back(output_argument(file_));
   return arguments;

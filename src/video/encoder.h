@@ -20,6 +20,7 @@
 #include "system/pending_file.h"
 #include "video/animated_image.h"
 #include "video/encoder_arguments.h"
+#include "video/sound_track.h"
 #include "video/text_tracks.h"
 
 namespace twrench::video {
@@ -36,12 +37,13 @@ class VideoEncoder {
  public:
   /// `output` is a file, or "-" for standard output. The video is streamed to standard output, to
   /// devices and to pipes. `identity` becomes the video's comment, and `chapters` its chapters, if
-  /// the container supports them. Throws InvalidArgument as encoder_arguments() does, FileError if
+  /// the container supports them. `sound` may be null; it must be encoded for the container, and
+  /// is as long as the video. Throws InvalidArgument as encoder_arguments() does, FileError if
   /// the output is not writable or another process is writing it, and EncoderError if ffmpeg is
   /// missing.
   VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
                const std::string& identity = {}, const std::vector<Cue>& chapters = {},
-               system::Patience patience = {});
+               system::Patience patience = {}, std::shared_ptr<const SoundTrack> sound = nullptr);
 
   /// Adds a frame, which must have the video's size, and be RGBA if the video is transparent,
   /// otherwise RGB. Throws EncoderError if ffmpeg failed.
@@ -78,6 +80,7 @@ class VideoEncoder {
   /// Name of the output, for messages.
   const std::string name_;
   std::optional<system::MemoryFile> chapters_;
+  const std::shared_ptr<const SoundTrack> sound_;
   system::PendingFile file_;
   std::optional<PalettePasses> passes_;  ///< Set for an animated image with a palette.
   Arguments command_;

@@ -89,13 +89,34 @@ std::string format_manifest(const Manifest& manifest) {
   return text;
 }
 
+nlohmann::ordered_json without_sound(nlohmann::ordered_json scene) {
+  if (!scene.is_object()) return scene;
+  const auto film = scene.find("film");
+  if (film != scene.end() && film->is_object()) {
+    film->erase("audio");
+    if (film->contains("sound")) (*film)["sound"] = "none";
+  }
+  const auto shots = scene.find("shot");
+  if (shots != scene.end() && shots->is_array()) {
+    for (Json& shot : *shots) {
+      if (shot.is_object()) shot.erase("narration");
+    }
+  }
+  return scene;
+}
+
+bool has_sound(const nlohmann::ordered_json& scene) { return without_sound(scene) != scene; }
+
 bool same_film(const Manifest& a, const Manifest& b) {
-  return a.version == b.version && a.scene == b.scene && a.font == b.font &&
-         a.renderer == b.renderer && a.width == b.width && a.height == b.height;
+  const auto same_scene = [&] {
+    return a.scene == b.scene || without_sound(a.scene) == without_sound(b.scene);
+  };
+  return a.version == b.version && same_scene() && a.font == b.font && a.renderer == b.renderer &&
+         a.width == b.width && a.height == b.height;
 }
 
 bool same_but_for_meshes(const Manifest& a, const Manifest& b) {
-  if (!equal_but_for_meshes(a.scene, b.scene)) return false;
+  if (!equal_but_for_meshes(without_sound(a.scene), without_sound(b.scene))) return false;
   Manifest other = b;
   other.scene = a.scene;
   return same_film(a, other);

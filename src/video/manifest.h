@@ -72,8 +72,14 @@ struct Manifest {
 /// Returns the file name of a frame, for example "frame_000012.png".
 std::string frame_file_name(int frame);
 
+/// Returns whether the scene of a manifest, which may be of any form, has sound.
+bool has_sound(const nlohmann::ordered_json& scene);
+
+/// Returns the scene of a manifest as it would be without sound.
+nlohmann::ordered_json without_sound(nlohmann::ordered_json scene);
+
 /// Returns whether everything that determines the pixels of a frame, except its pose, is the same:
-/// program version, scene, font, GL renderer and size.
+/// program version, scene except its sound, font, GL renderer and size.
 bool same_film(const Manifest& a, const Manifest& b);
 
 /// Returns whether the films are the same except for the contents of their mesh files.

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
 
 #include "system/error.h"
-#include "system/memory_file.h"
-#include "system/program.h"
 #include "system/sha256.h"
 #include "video/animated_image.h"
-#include "video/error.h"
+#include "video/ffprobe.h"
 #include "video/frame_range.h"
 
 namespace twrench::video {
@@ -35,43 +32,28 @@ std::string comment_of(const nlohmann::json& said) {
 template <typename Read>
 auto run_ffprobe(const fs::path& file, const std::vector<std::string>& how, Read&& read)
     -> std::optional<decltype(read(nlohmann::json()))> {
-  std::vector<std::string> command{"ffprobe", "-v", "error", "-select_streams", "v:0"};
-  command.insert(command.end(), how.begin(), how.end());
-  constexpr const char* entries =
-      "stream=width,height,nb_read_packets:format=duration:format_tags=comment";
-  command.insert(command.end(), {"-show_entries", entries, "-of", "json", "file:" + file.string()});
-  const system::MemoryFile output("");
-  auto ffprobe = system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
-                                                     {}, output.descriptor());
-  if (ffprobe.wait(disk_time(file)) != 0) return std::nullopt;
+  std::vector<std::string> options{"-select_streams", "v:0", "-show_entries",
+                                   "stream=width,height,nb_read_packets:format=duration:"
+                                   "format_tags=comment"};
+  options.insert(options.end(), how.begin(), how.end());
+  const std::optional<nlohmann::json> properties = ffprobe(file, options);
+  if (!properties) return std::nullopt;
   try {
-    return read(nlohmann::json::parse(output.contents()));
+    return read(*properties);
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
 }
 
-/// ffprobe writes numbers as strings.
-double number(const nlohmann::json& object, const char* key) {
-  return object.contains(key) ? std::strtod(object[key].get<std::string>().c_str(), nullptr) : 0.0;
-}
-
 }  // namespace
-
-system::ChildProcess::Time disk_time(const fs::path& file) {
-  constexpr std::uintmax_t slow_disk = 10'000;  // bytes per millisecond
-  std::error_code unknown;
-  const std::uintmax_t size = fs::file_size(file, unknown);
-  return system::ChildProcess::Time(unknown ? 0 : size / slow_disk);
-}
 
 std::optional<VideoProperties> probe_video(const fs::path& file) {
   if (const auto webp = probe_webp(file)) return webp;
   return run_ffprobe(file, {"-count_packets"}, [](const nlohmann::json& said) {
     const nlohmann::json& stream = said.at("streams").at(0);
     return VideoProperties{stream.at("width").get<int>(), stream.at("height").get<int>(),
-                           std::llround(number(stream, "nb_read_packets")),
-                           number(said.at("format"), "duration")};
+                           std::llround(ffprobe_number(stream, "nb_read_packets")),
+                           ffprobe_number(said.at("format"), "duration")};
   });
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "system/child_process.h"
 #include "system/error.h"
 #include "video/manifest.h"
 
@@ -23,9 +22,6 @@ struct VideoProperties {
   /// Duration in s.
   double duration = 0.0;
 };
-
-/// Returns how long a slow disk takes to read or write the file; zero if its size is unknown.
-system::ChildProcess::Time disk_time(const std::filesystem::path& file);
 
 /// Examines a file with ffprobe, which counts the frames without decoding them. Returns nothing if
 /// it is not a video. Throws EncoderError if ffprobe cannot be started.

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from sound_files import write_sound
+
 PROJECT = Path(__file__).parents[2]
 PAGES = ["docs/tutorial.md", "docs/how-to.md", "README.md"]
 WITHOUT_OUTPUT = ["docs/check.md", "docs/export.md", "docs/page.md", "docs/report.md"]
@@ -73,6 +75,7 @@ def write_scenes(page: str, folder: Path) -> None:
 def test_the_commands_of_a_page_run(page, tmp_path, template):
     write_scenes(page, tmp_path)
     shutil.copy(PROJECT / "assets/meshes/hammer-claws.obj", tmp_path / "bracket.obj")
+    write_sound(tmp_path / "music.wav", 1)
     commands = sessions(page)
     assert len(commands) > 5
     for command, shown in commands:

@@ -24,6 +24,7 @@
 #include "system/program.h"
 #include "video/encoder.h"
 #include "video/error.h"
+#include "video/sound_track.h"
 
 namespace twrench::app {
 namespace {
@@ -98,6 +99,26 @@ std::vector<Finding> examine_codecs() {
   return findings;
 }
 
+/// Checks each codec for sound.
+std::vector<Finding> examine_sound_codecs() {
+  std::vector<Finding> findings;
+  std::set<const video::SoundCodec*> examined{nullptr};
+  for (const video::OutputFormat& output : video::output_formats()) {
+    if (!examined.insert(output.sound).second) continue;
+    findings.push_back(
+        examine(fmt::format("ffmpeg's {}", output.sound->name), output.sound->use, [&] {
+          const std::vector<float> silence(9600);
+          video::SoundTrack({.files = {},
+                             .motion = [&](const auto& sink) { sink(silence); },
+                             .end = 0.1,
+                             .film_length = 0.1},
+                            output.container);
+          return "encoded a test sound";
+        }));
+  }
+  return findings;
+}
+
 std::string figure_formats() {
   for (const char* path : {"figure.svg", "figure.pdf", "figure.png"}) plot::require_gnuplot(path);
   return "writes SVG, PDF and PNG";
@@ -139,6 +160,8 @@ Diagnosis diagnose() {
   const std::vector<Finding> codecs = examine_codecs();
   diagnosis.encoder.push_back(codecs.front());  // that of MP4, the default container
   diagnosis.others.assign(codecs.begin() + 1, codecs.end());
+  const std::vector<Finding> sound_codecs = examine_sound_codecs();
+  diagnosis.others.insert(diagnosis.others.end(), sound_codecs.begin(), sound_codecs.end());
   diagnosis.disk.push_back(examine("disk",
                                    "frames and videos in out/; -o and --frames-dir choose "
                                    "other folders",

@@ -21,6 +21,8 @@ struct EncodeOptions {
   bool allow_missing = false;
   bool overwrite = false;
   std::string width;
+  std::string audio;
+  std::string sound;
   std::string progress = "auto";
 
   /// Throws InvalidArgument.
@@ -39,7 +41,9 @@ video::VideoOutput EncodeOptions::video_output() const {
                            .container = container,
                            .overwrite = overwrite,
                            .chapters = film.chapters_in(container),
-                           .quality = film.quality()};
+                           .quality = film.quality(),
+                           .audio = audio,
+                           .leave_sound_out = !sound.empty()};
   if (width.empty()) return video;
   if (!video::is_animated_image(container)) {
     throw InvalidArgument("--width", fmt::format("only {} are scaled", animated_images("and")),
@@ -79,6 +83,18 @@ void add_encode(CLI::App& app) {
                    fmt::format("width of a {} in pixels", animated_images("or")))
       ->type_name("N")
       ->default_str(fmt::format("that of the frames, but at most {}", video::widest_animation))
+      ->group(heading(OptionGroup::film));
+  command
+      ->add_option("--audio", options->audio,
+                   "sound file under the video, trimmed to it or followed by silence")
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::film));
+  command
+      ->add_option("--sound", options->sound,
+                   "none leaves out the sound of the scene, which the frames do not contain; "
+                   "render --resume adds it")
+      ->check(one_of("--sound", {"none"}))
+      ->type_name("NAME")
       ->group(heading(OptionGroup::film));
   command
       ->add_flag("--allow-missing", options->allow_missing,

@@ -50,6 +50,7 @@ void render(const RenderOptions& options) {
 
   Progress progress(options.progress);
   if (!job.note().empty()) progress.note(job.note());
+  for (const std::string& warning : job.warnings()) progress.warn(warning);
   job.run([&](int done, int total) { progress.update(done, total); });
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   progress.summarize(summary_of(settings, job.size(), seconds));

@@ -115,10 +115,20 @@ void RenderOptions::require_consistent() const {
     throw InvalidArgument("render", "with --no-video or --shard, no video is encoded",
                           "give --encode and --crf to twrench encode");
   }
+  if (no_video && requires_sound()) {
+    throw InvalidArgument("render", "with --no-video or --shard, no sound is written",
+                          "leave out --audio and --sound; the command that writes the video takes "
+                          "them, with --resume");
+  }
   if (!no_video) video.require_free_output(progress);
   if (backend.backend == gl::Backend::osmesa && backend.egl_device) {
     throw InvalidArgument("--egl-device", "OSMesa has none", "use --backend egl, or leave it out");
   }
+}
+
+bool RenderOptions::requires_sound() const {
+  const CLI::Option& sound = *command_.get_option("--sound");
+  return command_.count("--audio") > 0 || (sound.count() > 0 && sound.results().back() != "none");
 }
 
 video::Container RenderOptions::container() const {

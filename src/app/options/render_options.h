@@ -41,6 +41,8 @@ struct RenderOptions {
   std::string progress = "auto";
 
  private:
+  /// Returns whether an option, not only the scene, asks for sound.
+  bool requires_sound() const;
   video::Container container() const;
   /// Returns the folder of the frames without --frames-dir: DIR/NAME for a video DIR/NAME.ENDING.
   std::filesystem::path default_frames_folder(const scene::Scene& of) const;

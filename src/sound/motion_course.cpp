@@ -1,0 +1,149 @@
+#include "sound/motion_course.h"
+
+#include <twrench/body/shape.h>
+#include <twrench/motion/trajectory.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+#include "scene/interior.h"
+#include "timeline/film_timeline.h"
+#include "timeline/reference_frame.h"
+#include "timeline/timeline.h"
+
+namespace twrench::sound {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// The number of speeds per second of film, and the largest number of speeds of a film.
+constexpr double usual_rate = 100, most_speeds = 1e6;
+
+/// The part of a film that shows one motion at a speed that varies with time.
+struct Span {
+  const scene::Scene& scene;
+  const scene::Shot* shot;  ///< Null in a film without shots.
+  double begin, end;        ///< In s of film.
+
+  /// Returns the time of the motion in s.
+  double motion_time(double film_time) const {
+    const double elapsed = film_time - begin;
+    return shot == nullptr ? elapsed * scene.film.speed : shot->time_of(elapsed);
+  }
+  /// Returns the seconds of motion per second of film.
+  double speed(double film_time) const {
+    return shot == nullptr ? scene.film.speed : shot->speed.at(film_time - begin);
+  }
+  /// Returns the film time at which the motion reaches `time`, which must be within the span.
+  double film_time(double time) const {
+    double before = begin, after = end;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = std::midpoint(before, after);
+      (motion_time(middle) < time ? before : after) = middle;
+    }
+    return after;
+  }
+};
+
+std::vector<Span> spans_of(const scene::Scene& film) {
+  const double fps = film.film.fps;
+  if (film.shots.empty()) return {{film, nullptr, 0, film.frame_count() / fps}};
+  const std::vector<int> first = scene::first_frames(film);
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < film.shots.size(); ++i) {
+    spans.push_back({film.shots[i].scene, &film.shots[i], first[i] / fps, first[i + 1] / fps});
+  }
+  return spans;
+}
+
+/// Returns the matrix M for which w^T M w is the mean square speed of the body's ends, in bounding
+/// radii per second, if the body turns with the angular velocity w. The ends are the farthest
+/// points along the body's axes.
+Matrix3d end_speeds(const scene::Body& body) {
+  const std::vector<body::Part> parts = scene::visible_parts(body);
+  std::array<Vector3d, 6> ends;
+  double radius = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Vector3d direction = (i % 2 == 0 ? 1.0 : -1.0) * Vector3d::Unit(Eigen::Index(i / 2));
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const body::Part& part : parts) {
+      const Vector3d point =
+          part.position +
+          part.body_from_part *
+              body::support(part.shape, part.body_from_part.transpose() * direction);
+      if (point.dot(direction) <= farthest) continue;
+      farthest = point.dot(direction);
+      ends[i] = point;
+    }
+    radius = std::max(radius, ends[i].norm());
+  }
+  Matrix3d sum = Matrix3d::Zero();
+  for (const Vector3d& end : ends) {
+    const Vector3d r = end / radius;
+    sum += r.squaredNorm() * Matrix3d::Identity() - r * r.transpose();
+  }
+  return sum / double(ends.size());
+}
+
+/// The motion of a span that is heard.
+const timeline::Solution& heard(const std::vector<timeline::Solution>& solutions) {
+  const auto flipping = std::ranges::find_if(
+      solutions, [](const timeline::Solution& solution) { return !solution.flip_times.empty(); });
+  return flipping == solutions.end() ? solutions.front() : *flipping;
+}
+
+/// Returns the angular velocity of the body relative to the camera, in body axes, in rad per second
+/// of film. The camera orbits about the y axis of its frame.
+Vector3d relative_rate(const Span& span, const motion::FreeBody& body, const motion::Sample& sample,
+                       double speed) {
+  const scene::CameraPath& camera = span.scene.camera;
+  const motion::RotatingFrame frame = timeline::reference_frame(camera.frame, body, sample);
+  const Vector3d of_frame = speed * frame.omega + camera.orbit * Vector3d::UnitY();
+  return speed * sample.omega - sample.X.transpose() * (frame.attitude * of_frame);
+}
+
+/// Appends the speeds and the flips of a span. The speeds are those of the film times k / rate
+/// before the end of the span.
+void append(MotionCourse& course, const Span& span, const std::atomic<bool>* stop) {
+  const timeline::Timeline motions(span.scene, std::vector<timeline::FrameTime>(), stop);
+  const timeline::Solution& solution = heard(motions.solutions());
+  const std::size_t first = course.speeds.size();
+  const auto film_time = [&](std::size_t i) { return double(first + i) / course.rate; };
+  const double points = std::ceil(span.end * course.rate);
+  const std::size_t count = static_cast<std::size_t>(points) - std::min(first, std::size_t(points));
+  const Matrix3d M = end_speeds(span.scene.body);
+  motion::visit_samples(
+      solution.body, *solution.method, solution.control, count,
+      [&](std::size_t i) { return span.motion_time(film_time(i)); },
+      [&](const motion::Sample& sample) {
+        const double speed = span.speed(double(course.speeds.size()) / course.rate);
+        const Vector3d w = relative_rate(span, solution.body, sample, speed);
+        constexpr double fastest = 1e6;
+        course.speeds.push_back(
+            static_cast<float>(std::min(std::sqrt(std::max(0.0, w.dot(M * w))), fastest)));
+      });
+  const double start = span.motion_time(span.begin), end = span.motion_time(span.end);
+  for (const double flip : solution.flip_times) {
+    if (flip >= start && flip < end) course.flips.push_back(span.film_time(flip));
+  }
+}
+
+}  // namespace
+
+MotionCourse motion_course(const scene::Scene& film, const std::atomic<bool>* stop) {
+  scene::check_shown_motion(film);
+  MotionCourse course;
+  course.length = film.frame_count() / film.film.fps;
+  course.rate = std::min(usual_rate, most_speeds / course.length);
+  for (const Span& span : spans_of(film)) append(course, span, stop);
+  return course;
+}
+
+}  // namespace twrench::sound
