@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <future>
+#include <iterator>
 #include <utility>
 
 #include "film/film_sound.h"
 #include "film/output_space.h"
 #include "image/png.h"
+#include "scene/reading_speed.h"
 #include "scene/scene_json.h"
 #include "system/file.h"
 #include "system/processors.h"
@@ -172,6 +174,7 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     const bool has_sound = video::output_format(settings_.video->container).sound != nullptr;
     if (has_sound) warnings_ = check_narration(scene_);
   }
+  std::ranges::move(scene::hasty_captions(scene_), std::back_inserter(warnings_));
   gl_trial_.emplace(settings_.backend);  // forks, so do it before there are threads
   std::future<void> encoder_trial = try_encoder(settings_, scene_);
   {

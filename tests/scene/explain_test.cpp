@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/reading_speed.h"
 #include "scene/scene.h"
 #include "scene/scene_json.h"
 
@@ -102,13 +103,13 @@ TEST(Explain, ItTurnsOverInSlowMotion) {
   EXPECT_GT(told.tilt(told.end()), 0.8 * std::numbers::pi) << "on the other side";
 }
 
-TEST(Explain, TwoAxesHoldAndTheMiddleOneDoesNot) {
-  const Vector3d moments = Told("The middle one does not").properties.moments;
+TEST(Explain, TwoAxesAreSteadyAndTheMiddleOneIsNot) {
+  const Vector3d moments = Told("The middle one is not").properties.moments;
   EXPECT_LT(moments[0], moments[1]);
   EXPECT_LT(moments[1], moments[2]);
   EXPECT_EQ(Vector3d(moments.array().round()), Vector3d(723, 982, 1579));
   for (std::size_t i = 0; i < 3; ++i) {
-    const Told told("The middle one does not", i);
+    const Told told("The middle one is not", i);
     Eigen::Index axis = 0;
     told.omega.maxCoeff(&axis);
     const double moment = told.properties.inertia(axis, axis);
@@ -124,8 +125,8 @@ TEST(Explain, TwoAxesHoldAndTheMiddleOneDoesNot) {
   }
 }
 
-TEST(Explain, TheMomentumStaysAndTheAngularVelocityWanders) {
-  const Told still("never moves"), wandering("wanders");
+TEST(Explain, TheMomentumStaysAndTheAngularVelocityMoves) {
+  const Told still("never moves"), wandering("moves about L");
   EXPECT_EQ(wandering.begin(), still.end());
   const Vector3d up = wandering.body.momentum();
   double farthest = 0;
@@ -140,7 +141,7 @@ TEST(Explain, TheMomentumStaysAndTheAngularVelocityWanders) {
 }
 
 TEST(Explain, InTheRotatingFrameItOnlyLeans) {
-  const Told told("almost at rest");
+  const Told told("only leans");
   EXPECT_EQ(told.shot.scene.camera.frame, Frame::rotating);
   // Both frames coincide after whole turns, and the camera moves by less than half a turn.
   EXPECT_NEAR(std::remainder(told.begin(), 2 * std::numbers::pi), 0, 1e-9);
@@ -159,8 +160,8 @@ TEST(Explain, TheTiltDoublesEvery1point9Seconds) {
   }
 }
 
-TEST(Explain, TheBarPullsBackAndTheLegWins) {
-  const Told told("the leg wins");
+TEST(Explain, TheBarTurnsItBackAndTheLegTurnsItFurther) {
+  const Told told("The leg turns it further");
   EXPECT_EQ(told.begin(), Told("every 1.9 s").end()) << "it goes on";
   EXPECT_EQ(told.shot.speed.at(2), 0) << "and stands still";
   // The torque of the centrifugal forces on each part about the axis of the tilt, per tilt and
@@ -181,11 +182,11 @@ TEST(Explain, TheBarPullsBackAndTheLegWins) {
   }
   EXPECT_LT(torques[0], 0) << "the bar";
   EXPECT_GT(torques[1], 0) << "the leg";
-  EXPECT_GT(torques[0] + torques[1], 0) << "the leg wins";
+  EXPECT_GT(torques[0] + torques[1], 0) << "the leg is stronger";
 }
 
 TEST(Explain, TheMomentumMovesOnOneCurve) {
-  const Told told("one curve");
+  const Told told("equal energy");
   const double energy = motion::energy(told.body.inertia(), told.omega);
   for (const double t : told.times()) {
     const Vector3d omega = told.exact.at(t).omega;
@@ -193,6 +194,49 @@ TEST(Explain, TheMomentumMovesOnOneCurve) {
     EXPECT_NEAR(momentum.norm() / told.body.momentum().norm(), 1, 1e-12);
     EXPECT_NEAR(motion::energy(told.body.inertia(), omega) / energy, 1, 1e-12);
   }
+}
+
+// The two curves that cross are those whose energy is that of a rotation about the middle axis.
+TEST(Explain, AtTheMiddleAxisTwoCurvesCross) {
+  const Told told("two such curves cross");
+  const Vector3d moments = told.properties.moments;
+  const auto energy = [&](const Vector3d& momentum) {  // of a point of the sphere, principal axes
+    return 0.5 * momentum.cwiseAbs2().cwiseQuotient(moments).sum();
+  };
+  const double at_axis = energy(Vector3d::UnitY());
+  int crossings = 0;
+  constexpr int steps = 360;
+  const auto above = [&](int i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / steps;
+    return energy(Vector3d(0.01 * std::cos(angle), 1, 0.01 * std::sin(angle)).normalized()) >
+           at_axis;
+  };
+  for (int i = 0; i < steps; ++i) crossings += above(i) != above(i + 1) ? 1 : 0;
+  EXPECT_EQ(crossings, 4) << "around the axis: two curves enter and leave";
+}
+
+TEST(Explain, CanBeRead) {
+  for (const char* name : {"explain", "explain-nb", "explorer-1"}) {
+    for (const Shot& shot : load_scene(name).shots) {
+      EXPECT_LE(reading_speed(shot), 15) << name << ": " << *shot.scene.caption;
+    }
+  }
+}
+
+TEST(Captions, ThatAreTooFastAreNamed) {
+  Scene film = load_scene("explain");
+  EXPECT_TRUE(hasty_captions(film).empty());
+  Shot& shot = film.shots[3];
+  shot.scene.caption = std::string(34, 'a') + "åøæ";  // 37 characters of 40 bytes
+  shot.scene.length = 37 / 17.1;
+  shot.place = "a.toml:3: shot[4]";
+  ASSERT_EQ(hasty_captions(film).size(), 1U);
+  EXPECT_EQ(
+      hasty_captions(film).front(),
+      "a.toml:3: shot[4].caption: 17.1 characters a second are too fast to read: give the shot "
+      "2.18 s, not 2.16 s");
+  shot.scene.length = 37 / 16.9;
+  EXPECT_TRUE(hasty_captions(film).empty());
 }
 
 TEST(Explain, ItStaysUpsideDownAndComesBack) {
