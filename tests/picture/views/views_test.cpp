@@ -98,11 +98,11 @@ TEST(Views, ShowTheWholeSatelliteInPicturesOfAnyShape) {
       scene::Scene scene = film.shots[shot].scene;
       scene.film.width = width;
       scene.film.height = height;
-      const Layout::Pane pane = compute_layout(scene).panes.front();
-      const BodyView view(scene, timeline.solutions(shot), 0, pane, 101.6 + centre);
+      const Layout::Pane body_pane = compute_layout(scene).panes.front();
+      const BodyView view(scene, timeline.solutions(shot), 0, body_pane, 101.6 + centre);
       for (const double end : {101.6 - centre, -101.6 - centre}) {
         const Matrix3d X = timeline.frame(i).state.solutions[0].sample.X;
-        const Vector2d pixel = pixel_of(view.camera(0), pane.area, end * (X * axis));
+        const Vector2d pixel = pixel_of(view.camera(0), body_pane.area, end * (X * axis));
         EXPECT_TRUE(pixel.x() > 0 && pixel.x() < width && pixel.y() > 0 && pixel.y() < height)
             << width << "x" << height << ", frame " << frames[i] << ": " << pixel.transpose();
       }
