@@ -41,6 +41,12 @@ struct ProgramKind {
   bool operator==(const ProgramKind&) const = default;
 };
 
+/// The file with the diffuse term.
+const char* scattering_of(const Material& material) {
+  if (material.is_rock) return "regolith.glsl";
+  return material.diffuse == glm::vec3(0) ? "metal.glsl" : "matte.glsl";
+}
+
 /// Whether the body has a diffuse term is decided at compile time instead of at each pixel:
 /// llvmpipe executes both branches of an if, and the second doubles the work.
 gl::Program body_program(const gl::Functions& gl, const ProgramKind& kind, const BodyModel& body,
@@ -56,16 +62,15 @@ gl::Program body_program(const gl::Functions& gl, const ProgramKind& kind, const
   const std::array vertex{gl::ShaderFile{"constants", constants},
                           file(alone ? "unoccluded.vert" : "occluders.vert"),
                           file(kind.is_colored ? "colored.vert" : "plain.vert"), file("body.vert")};
-  const std::array fragment{
-      gl::ShaderFile{"constants", constants},
-      file("studio.glsl"),
-      file(kind.is_colored ? "colored.glsl" : "plain.glsl"),
-      file(alone ? "unoccluded.glsl" : "occluders.glsl"),
-      file("tone.glsl"),
-      file("brush.glsl"),
-      file(body.is_marked ? "marked.glsl" : "unmarked.glsl"),
-      file(kind.material.diffuse == glm::vec3(0) ? "metal.glsl" : "matte.glsl"),
-      file("body.frag")};
+  const std::array fragment{gl::ShaderFile{"constants", constants},
+                            file("studio.glsl"),
+                            file(kind.is_colored ? "colored.glsl" : "plain.glsl"),
+                            file(alone ? "unoccluded.glsl" : "occluders.glsl"),
+                            file("tone.glsl"),
+                            file("brush.glsl"),
+                            file(body.is_marked ? "marked.glsl" : "unmarked.glsl"),
+                            file(scattering_of(kind.material)),
+                            file("body.frag")};
   return {gl, vertex, fragment};
 }
 

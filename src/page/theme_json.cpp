@@ -72,6 +72,7 @@ ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
   const glm::vec3 tint = material.diffuse + material.reflectance;
   return {{"constants", picture::shader_constants(material, picture::style_of(look.theme).studio)},
           {"metal", material.diffuse == glm::vec3(0)},
+          {"rock", material.is_rock},
           {"colored", part.is_mesh},
           {"tint", {tint.x, tint.y, tint.z}}};
 }

@@ -12,6 +12,7 @@ import occluders_frag from '../../shaders/occluders.glsl';
 import occluders_vert from '../../shaders/occluders.vert';
 import plain_frag from '../../shaders/plain.glsl';
 import plain_vert from '../../shaders/plain.vert';
+import regolith from '../../shaders/regolith.glsl';
 import studio from '../../shaders/studio.glsl';
 import tone from '../../shaders/tone.glsl';
 import unmarked from '../../shaders/unmarked.glsl';
@@ -27,7 +28,7 @@ import { Program, VertexArray } from './program.js';
 /**
  * A material: its constants as GLSL (see src/page/theme_json.h), whether vertices have colours, and the
  * colour of its reflection.
- * @typedef {{constants: string, metal: boolean, colored: boolean, tint: number[]}} Material
+ * @typedef {{constants: string, metal: boolean, rock: boolean, colored: boolean, tint: number[]}} Material
  */
 /** Size of the picture in pixels. @typedef {{width: number, height: number}} Size */
 
@@ -35,6 +36,12 @@ import { Program, VertexArray } from './program.js';
 const shiftLocation = 2,
   colorLocation = 3,
   fadeLocation = 4;
+
+/** Returns the shader with the diffuse term. @param {Material} material */
+function scatteringOf(material) {
+  if (material.rock) return regolith;
+  return material.metal ? metal : matte;
+}
 
 /**
  * @param {WebGL2RenderingContext} gl @param {Surface} surface
@@ -62,7 +69,7 @@ const bool is_of_one_material = ${ofOneMaterial};
       tone,
       brush,
       surface.marked ? marked : unmarked,
-      material.metal ? metal : matte,
+      scatteringOf(material),
       body_frag,
     ],
   );

@@ -28,6 +28,8 @@ struct Material {
   /// Metalness, 0 (paint) to 1 (metal), which determines how a vertex's colour is divided between
   /// diffuse albedo and reflectance.
   float metalness;
+  /// Whether it has the relief of regolith, and scatters light as dust does.
+  bool is_rock;
 
   bool operator==(const Material&) const = default;
 };

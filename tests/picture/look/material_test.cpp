@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/materials.h"
+
 namespace twrench::picture {
 namespace {
 
@@ -35,6 +37,17 @@ TEST(Material, OfADielectricScattersItsColourAndReflectsFourPercent) {
   EXPECT_NEAR(plastic.reflectance.x, 0.04, 1e-6);
   EXPECT_NEAR(plastic.reflectance.z, 0.04, 1e-6);
   EXPECT_EQ(plastic.brushing, 0);
+}
+
+TEST(Material, IsRockIfAllItsValuesAreThoseOfRock) {
+  scene::Look look;
+  EXPECT_FALSE(material(look).is_rock);
+  scene::set_material(look, scene::find_material("rock", "material"));
+  EXPECT_TRUE(material(look).is_rock);
+  EXPECT_TRUE(material(look, {}, true).is_rock) << "whatever the colours of its vertices";
+  scene::PartLook part;
+  part.roughness = 0.5;
+  EXPECT_FALSE(material(look, part).is_rock);
 }
 
 // Unless set otherwise, a coloured model looks like painted plastic, not like metal.
