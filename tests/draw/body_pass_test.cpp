@@ -73,7 +73,7 @@ class BodyPassTest : public testing::TestWithParam<float> {
   std::unique_ptr<gl::Context> context = gl::make_test_context();
   gl::Functions gl{*context};
   BodyModel body =
-      wrench(0.01, {glm::vec3(1), glm::vec3(GetParam()), glm::vec3(0.5F), 0.2F, 0.3F, 1.0F},
+      wrench(0.01, {glm::vec3(1), glm::vec3(GetParam()), glm::vec3(0.5F), 0.2F, 0.3F, 1.0F, false},
              dark_studio());
   BodyPass pass{gl, body};
 };
@@ -140,7 +140,7 @@ TEST_P(BodyPassTest, DrawsWideFacetsAsItDrawsNarrowOnes) {
   const Camera camera = frame_sphere({{0, 5, 20}, 0.55, 1, 4.5});
   const auto picture = [&](double tolerance, const Eigen::Matrix3d& X) {
     const BodyModel model =
-        wrench(tolerance, {glm::vec3(1), glm::vec3(GetParam()), glm::vec3(0.5F), 0, 0.3F, 1},
+        wrench(tolerance, {glm::vec3(1), glm::vec3(GetParam()), glm::vec3(0.5F), 0, 0.3F, 1, false},
                white_studio());
     BodyPass drawn(gl, model);
     framebuffer.clear({&all, 1});
