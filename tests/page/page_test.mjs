@@ -211,6 +211,14 @@ const tests = {
     racket.quiet();
   },
 
+  async 'so is that of print and of rock'() {
+    for (const [scene, frame] of [['book', 126], ['toutatis', 200]]) {
+      const { page, quiet } = await open(writePage(`${scene}.html`, scene));
+      await expectPictureOfFilm(page, scene, frame, 'space');
+      quiet();
+    }
+  },
+
   async 'a box in place of a body with colours is not black'() {
     writeFileSync(join(folder, 'cube.ply'), coloredCube);
     const scene = join(folder, 'cube.toml');
