@@ -62,7 +62,7 @@ vec3 scattered(vec3 place, vec3 normal) {
   slope = radius * (stage_from_body * slope);
   vec3 n = normalize(normal - slope + dot(slope, normal) * normal);
 
-  // The law of Lommel and Seeliger, by which dust scatters: the full moon is no darker at its edge.
+  // Lommel and Seeliger's law of scattering by dust. It keeps the full moon bright up to its edge.
   vec3 sun = normalize(light_centre[0]);
   float from_sun = max(dot(n, sun), 0.0);
   float to_eye = max(dot(n, normalize(eye - place)), 0.1);
