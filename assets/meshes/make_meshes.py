@@ -115,6 +115,12 @@ def racket_handle():
     return [loft([octagon(u, v, y) for y, u, v in sizes])]
 
 
+def racket_sleeve():
+    """The sleeve over the ends of its throat."""
+    sizes = [(172.0, 17.0, 15.4), (186.0, 19.0, 16.6), (230.0, 26.0, 15.6), (232.0, 24.8, 14.4)]
+    return [loft([[(x, y, z) for x, z in rounded_rectangle(u, v, 4.0, 4)] for y, u, v in sizes])]
+
+
 def racket_strings():
     """The strings of a racket, 16 by 19, woven, and ending inside the frame."""
     half_width, half_length, lift = HEAD_X - 4.0, HEAD_Y - 4.0, 0.66
@@ -344,7 +350,8 @@ def satellite_whips():
 
 
 SOLIDS = [
-    t_handle_shaft, wing_nut_hub, wing_nut_wings, racket_frame, racket_bridge, racket_handle, racket_strings, phone, phone_details,
+    t_handle_shaft, wing_nut_hub, wing_nut_wings, racket_frame, racket_bridge, racket_handle, racket_sleeve,
+    racket_strings, phone, phone_details,
     book, hammer_head, hammer_claws, hammer_handle, satellite_payload, satellite_stage, satellite_stripes,
     satellite_whips,
 ]
