@@ -1,11 +1,10 @@
 #include "film/film_sound.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <optional>
 
 #include "sound/motion_track.h"
 #include "video/sound_file.h"

@@ -33,7 +33,8 @@ struct Span {
 
   /// Returns the time of the motion in s.
   double motion_time(double film_time) const {
-    const double elapsed = film_time - begin;
+    // Rounding may place the first time before the beginning.
+    const double elapsed = std::max(0.0, film_time - begin);
     return shot == nullptr ? elapsed * scene.film.speed : shot->time_of(elapsed);
   }
   /// Returns the seconds of motion per second of film.

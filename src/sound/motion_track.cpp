@@ -18,10 +18,13 @@ constexpr double target = -16;  // LUFS
 /// by less than 2 dB, because the sound has only low frequencies.
 constexpr double ceiling = 0.7;
 
-/// Returns the sample with that gain. Small amplitudes stay as they are; large ones approach the
-/// ceiling.
+/// Returns the sample with that gain. Amplitudes up to half the ceiling stay as they are; larger
+/// ones approach the ceiling.
 float limited(double gain, float sample) {
-  return static_cast<float>(ceiling * std::tanh(gain * sample / ceiling));
+  constexpr double half = ceiling / 2;
+  const double louder = gain * sample, size = std::abs(louder);
+  if (size <= half) return static_cast<float>(louder);
+  return static_cast<float>(std::copysign(half + half * std::tanh((size - half) / half), louder));
 }
 
 /// Returns the number of the sample of a channel at that time.
@@ -33,7 +36,7 @@ std::size_t sample_at(double time) {
 
 MotionTrack::MotionTrack(const scene::Scene& film, const std::atomic<bool>* stop)
     : course_(motion_course(film, stop)), stop_(stop) {
-  constexpr double close = 0.1;   // LU
+  constexpr double close = 0.3;   // LU
   constexpr int most_trials = 8;  // The limit makes a sound softer than its gain predicts.
   gain_ = first_gain();
   for (int i = 0; i < most_trials && gain_ > 0; ++i) {

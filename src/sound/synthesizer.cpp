@@ -60,16 +60,17 @@ double noise_amplitude(double speed) {
   return share * share;
 }
 
-double BandFilter::filter(double sample, double g) {
-  constexpr double k = 1 / quality;
-  const double a1 = 1 / (1 + g * (g + k)), a2 = g * a1;
+BandFilter::Coefficients::Coefficients(double g)
+    : a1(1 / (1 + g * (g + 1 / quality))), a2(g * a1), a3(g * a2) {}
+
+double BandFilter::filter(double sample, const Coefficients& at) {
   for (Stage& stage : stages_) {
     const double rest = sample - stage.second;
-    const double band = a1 * stage.first + a2 * rest;
-    const double low = stage.second + a2 * stage.first + g * a2 * rest;
+    const double band = at.a1 * stage.first + at.a2 * rest;
+    const double low = stage.second + at.a2 * stage.first + at.a3 * rest;
     stage.first = 2 * band - stage.first;
     stage.second = 2 * low - stage.second;
-    sample = k * band;
+    sample = band / quality;
   }
   return sample;
 }
@@ -112,9 +113,11 @@ double Synthesizer::next_accent() {
     last_flip_ = flip;
     value += accent_amplitude * std::sin(2 * pi * accent_pitch / sample_rate);
   }
+  // Processors are slow with numbers that are nearly zero.
+  constexpr double inaudible = 1e-30;
   accent_before_ = accent_;
-  accent_ = value;
-  return value;
+  accent_ = std::abs(value) < inaudible ? 0 : value;
+  return accent_;
 }
 
 double Synthesizer::envelope() const {
@@ -130,8 +133,9 @@ void Synthesizer::synthesize(std::span<float> samples) {
     // Half of the power is common to both sides, so that the sound is wide but has a centre.
     const double common = signed_unit(noise), side = signed_unit(noise >> 32U);
     constexpr double half = 1 / std::numbers::sqrt2;
-    const double left = filters_[0].filter(half * (common + side), tone.g);
-    const double right = filters_[1].filter(half * (common - side), tone.g);
+    const BandFilter::Coefficients filter(tone.g);
+    const double left = filters_[0].filter(half * (common + side), filter);
+    const double right = filters_[1].filter(half * (common - side), filter);
     const double accent = next_accent(), faded = envelope();
     samples[i] = static_cast<float>(faded * (tone.amplitude * left + accent));
     samples[i + 1] = static_cast<float>(faded * (tone.amplitude * right + accent));

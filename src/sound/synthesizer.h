@@ -18,8 +18,12 @@ double noise_amplitude(double speed);
 /// and free of clicks while the centre moves.
 class BandFilter {
  public:
-  /// `g` is tan(pi f / sample_rate) for the centre f.
-  double filter(double sample, double g);
+  /// The coefficients for a centre f, for which `g` is tan(pi f / sample_rate).
+  struct Coefficients {
+    explicit Coefficients(double g);
+    double a1, a2, a3;
+  };
+  double filter(double sample, const Coefficients& at);
 
  private:
   struct Stage {

@@ -163,8 +163,8 @@ void set_sound(Manifest& manifest, const VideoOutput& output) {
   const bool is_replaced = output.leave_sound_out || !output.audio.empty();
   if (!is_replaced && format.sound != nullptr && has_sound(manifest.scene)) {
     throw InvalidArgument("sound", "the scene has sound, which its frames do not contain",
-                          "give --sound none or an --audio file, or make the video by the command "
-                          "that drew the frames, with --resume");
+                          "leave the sound out or name a sound file, or resume the run that drew "
+                          "the frames, which then makes the video with sound");
   }
   manifest.scene = without_sound(std::move(manifest.scene));
   if (output.audio.empty() || !manifest.scene.is_object()) return;

@@ -53,10 +53,10 @@ std::string filter_graph(const SoundMix& mix) {
     add(fmt::format("aformat=sample_fmts=fltp:channel_layouts=stereo,volume=-{}dB,adelay={}S:all=1",
                     softness, sample_at(mix.begin)));
   }
-  // The sum of several sounds may exceed the full scale.
+  // The sum of several sounds may exceed the full scale. An encoder adds some tenths of a dB.
   if (count > 1) {
     inputs += fmt::format(
-        "amix=inputs={}:normalize=0,alimiter=limit=0.89:level=disabled:latency=enabled,", count);
+        "amix=inputs={}:normalize=0,alimiter=limit=0.84:level=disabled:latency=enabled,", count);
   }
   return graph + inputs +
          fmt::format("atrim=start_sample={}:end_sample={},asetpts=PTS-STARTPTS[mix]",

@@ -250,6 +250,19 @@ TEST(Audio, IsLouderThanTheMotion) {
   EXPECT_GT(level(mixed, 0.2, 0.8), level(mixed, 2, 3.5));
 }
 
+TEST(Audio, DoesNotClipWithTheMotion) {
+  const ScratchFolder folder;
+  run_command("ffmpeg -v error -f lavfi -i 'aevalsrc=0.99*sin(6000*t):d=4' '" +
+              (folder / "loud.wav").string() + "'");
+  for (const std::string video : {"loud.mp4", "loud.webm"}) {
+    ASSERT_EQ(
+        run_twrench(folder, small + "--duration 24 --sound motion --audio loud.wav -o " + video)
+            .code,
+        0);
+    EXPECT_LE(loudness_of(folder, video).peak, -1);
+  }
+}
+
 TEST(Audio, ThatCannotBeUsedIsReportedBeforeTheFirstFrame) {
   const ScratchFolder folder;
   write_tone(folder, "tone.wav", 4);
@@ -353,10 +366,12 @@ TEST(Encode, AddsAFileOrLeavesTheSoundOut) {
   write_tone(folder, "tone.wav", 1);
   const std::string film = "render --size 32x32 --fps 30 --bare --progress none --duration 6 ";
   ASSERT_EQ(run_twrench(folder, film + "--sound motion -o film.mp4").code, 0);
-  // The sound does not make other frames.
+  // The sound does not make other frames: they are kept.
+  const auto drawn = std::filesystem::last_write_time(folder / "film/frame_000000.png");
   ASSERT_EQ(run_twrench(folder, film + "--resume -o silent.mp4 --frames-dir film").code, 0);
   ASSERT_EQ(
       run_twrench(folder, film + "--resume --sound motion -o again.mp4 --frames-dir film").code, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "film/frame_000000.png"), drawn);
   EXPECT_NEAR(loudness_of(folder, "again.mp4").integrated, -16, 1);
   const std::string encode = "encode film --progress none ";
   const Outcome refused = run_twrench(folder, encode + "-o a.mp4");

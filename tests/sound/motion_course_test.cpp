@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "timeline/timeline.h"
 
@@ -64,6 +65,19 @@ TEST(MotionCourse, IsRelativeToTheCamera) {
   EXPECT_NEAR(course_of(body + "orbit = 2").speeds[100], 0, 1e-6);
   EXPECT_NEAR(course_of(body + "orbit = -2").speeds[100],
               2 * course_of(body + "orbit = 0").speeds[100], 1e-6);
+}
+
+TEST(MotionCourse, TakesShotsOfEveryLength) {
+  // In the second film, rounding places the first speed of the second shot before its start.
+  for (const auto& [first, second] : {std::pair{0.03, 0.07}, {2001.0, 8004.0}}) {
+    const MotionCourse course = course_of(
+        "[body]\nmoments = [3, 5, 7]\n[motion]\nomega = [0, 1, 0]\n[film]\nfps = 100\n"
+        "[[shot]]\nspeed = 1e-3\nlength = " +
+        std::to_string(first) +
+        "\n[[shot]]\nspeed = 1e-3\nstart = 0\nlength = " + std::to_string(second) + "\n");
+    EXPECT_NEAR(course.length, first + second, 1e-3);
+    EXPECT_EQ(course.speeds.size(), std::size_t(std::ceil(course.length * course.rate)));
+  }
 }
 
 TEST(MotionCourse, HasTheFlipsOfTheShotsAtTheirSpeeds) {

@@ -38,7 +38,7 @@ Material material(const scene::Look& look, const scene::PartLook& part, bool has
                               linear_from_srgb(srgb.blue));
   const Eigen::Vector3d reflectance =
       metallic * color + (1 - metallic) * Eigen::Vector3d::Constant(dielectric_reflectance);
-  const scene::PartLook resolved{.color = srgb, .metallic = metallic, .roughness = roughness};
+  const scene::PartLook resolved{.color = one, .metallic = metallic, .roughness = roughness};
   constexpr double brushed = 0.73;  // finer brushing leaves a smoother surface
   return {glm_from_eigen(color),
           glm_from_eigen(((1 - metallic) * color).eval()),
