@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace twrench::picture {
 namespace {
@@ -44,6 +45,33 @@ TEST_F(DrawListTest, PutsAnArrowsTipWhereTheMatricesSay) {
   list.arrow({0.1, 0, 0.2}, tip, 0.02, red);
   EXPECT_LT(nearest(pixel_of(camera(), list_pane, tip)), 1e-3);
   for (const auto& v : list.vertices()) EXPECT_TRUE(std::isfinite(v.clip.x + v.paint.x));
+}
+
+// In the depth buffer the arrow is where its points would be after a move towards the eye; on the
+// screen it stays where it is.
+TEST_F(DrawListTest, AnArrowCanHideWhatIsNearer) {
+  const Vector3d from(0.1, 0, 0.2), to(0.4, 0.9, -0.3);
+  constexpr double nearer = 0.3;
+  list.arrow(from, to, 0.02, red);
+  const std::vector<DrawList::Vertex> plain = list.vertices();
+  list.begin(camera(), list_pane);
+  list.arrow(from, to, 0.02, red, nearer);
+  ASSERT_EQ(list.vertices().size(), plain.size());
+  const Eigen::Matrix4d clip_from_space = camera().projection * camera().view;
+  const auto depth = [&](const Vector3d& place) {
+    const Eigen::Vector4d clip = clip_from_space * place.homogeneous();
+    return clip.z() / clip.w();
+  };
+  const double change = depth(to + nearer * (list.eye() - to).normalized()) - depth(to);
+  ASSERT_LT(change, 0);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const auto &before = plain[i].clip, &after = list.vertices()[i].clip;
+    EXPECT_LT((pixel(list.vertices()[i]) - pixel(plain[i])).norm(), 1e-3);
+    EXPECT_NEAR(after.z / after.w - before.z / before.w, change, 0.5 * std::abs(change));
+  }
+  list.begin(camera(), list_pane);
+  list.arrow(from, to, 0.02, red);
+  EXPECT_EQ(list.vertices().front().clip.z, plain.front().clip.z) << "only that arrow";
 }
 
 TEST_F(DrawListTest, AnArrowOfNoLengthIsNothingAndAShortOneAllHead) {
