@@ -29,9 +29,9 @@ struct SoftLayer {
 /// Multiplies the layer's opacity by a factor from 0 to 1.
 void scale_opacity(SoftLayer& layer, double factor);
 
-/// Composites `layer` over `image`, which is RGB or premultiplied RGBA, with ordered dither. Pixels on which the layer is
-/// transparent keep their values. The layer should lie inside the image; parts outside are a bug of
-/// the caller and are clipped. Returns the affected areas.
+/// Composites `layer` over `image`, which is RGB or premultiplied RGBA, with ordered dither. Pixels
+/// on which the layer is transparent keep their values. The layer should lie inside the image;
+/// parts outside are a bug of the caller and are clipped. Returns the affected areas.
 std::vector<image::Area> composite_over(image::Image& image, const SoftLayer& layer);
 
 }  // namespace twrench::draw

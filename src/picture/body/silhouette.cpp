@@ -22,7 +22,7 @@ std::vector<std::uint32_t> first_at_each_place(std::span<const Vertex> vertices)
                      [&](std::uint32_t i, std::uint32_t j) { return place(i) < place(j); });
 }
 
-/// The way, in half pixels, by which a shift moves a vertex.
+/// Returns how a shift moves a vertex, in half pixels.
 glm::vec3 way(const Shift& shift) {
   if (shift.offset == 0) return glm::vec3(0);
   const float length = glm::length(shift.direction);

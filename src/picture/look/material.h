@@ -14,7 +14,7 @@ inline constexpr double dielectric_reflectance = 0.04;
 
 /// The material of the body, as the shader needs it.
 struct Material {
-  /// Linear colour, by which the colours of vertices are multiplied.
+  /// Linear colour. It multiplies the colours of vertices.
   glm::vec3 color;
   /// Linear diffuse albedo; black for metals.
   glm::vec3 diffuse;

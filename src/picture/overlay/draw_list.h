@@ -170,7 +170,7 @@ class DrawList {
   Eigen::Vector2d half_size_ = Eigen::Vector2d::Zero();  ///< Half the pane's size, in pixels.
   double scale_ = 0;                                     ///< Pixels per unit length at distance 1.
   double clip_z_nearer_ = 0;                             ///< Added to z for the pane's height.
-  double nearer_ = 0;                                    ///< Of the arrow being added, cm.
+  double nearer_ = 0;                                    ///< That of the arrow being added, cm.
   std::vector<Projected> run_;                           ///< Visible part of the line being added.
   std::vector<Vertex> vertices_;
   std::vector<std::size_t> things_;  ///< First vertex of each item.
