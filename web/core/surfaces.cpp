@@ -126,7 +126,8 @@ using namespace twrench::page;
           << mesh.indices.data() << static_cast<double>(mesh.indices.size())
           << picture::trail_point(scene) << radius << 1.0
           << Vector3d(traits.outline.radius / radius, 0, 0);
-  for (int i = 0; i < 3 + 8 + 1; ++i) results << 0.0;  // no side of a cylinder, no occluders
+  // No side of a cylinder, not foil, no occluders.
+  for (int i = 0; i < 3 + 8 + 1 + 1; ++i) results << 0.0;
   const std::vector<Ball> balls = picture::shadow_balls({-end, end, traits.occluder->radius});
   results << static_cast<double>(balls.size());
   for (const auto& [centre, ball_radius] : balls) results << centre << ball_radius;
