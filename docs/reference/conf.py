@@ -53,6 +53,7 @@ autodoc_type_aliases = {
         "Rows",
         "ShapeName",
         "StrPath",
+        "SoundName",
         "ThemeName",
         "TimeUnit",
         "UnitName",
