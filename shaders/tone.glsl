@@ -1,6 +1,6 @@
 // From linear light to sRGB: the filmic curve of Hejl and Burgess-Dawson (2010), a fit to a film
 // stock that includes the display's gamma and needs no power function. It is scaled so that
-// highlights roll off: a radiance of 2.5 ends at 240, one of 5 at 249, and only one of 9 is white.
+// highlights roll off: a radiance of 2.5 ends at 243, one of 5 at 251, and only one of 8 is white.
 vec3 filmic_srgb(vec3 light) {
   vec3 x = max(1.1 * light - 0.0044, 0.0);
   vec3 above = x * (6.324 * x + 0.51);

@@ -12,7 +12,7 @@ struct PartMaterial {
   scene::PartLook look;
   /// Whether it is a mesh, whose vertices have colours: at least their shade.
   bool is_mesh;
-  /// Whether the mesh has colours of its own.
+  /// Whether the mesh's file gives colours of vertices.
   bool has_own_colors;
 };
 

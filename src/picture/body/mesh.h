@@ -41,8 +41,8 @@ struct Cluster {
 struct Mesh {
   /// Vertices of all triangles.
   std::vector<Vertex> vertices;
-  /// Linear colours of the vertices, 0 to 1, which multiply the colour of the part's material. Empty
-  /// if no part has them. Vertices of parts without vertex colours are black.
+  /// Linear colours of the vertices, 0 to 1, which multiply the colour of the part's material.
+  /// Empty if no part has them. Vertices of parts without vertex colours are black.
   std::vector<glm::vec3> colors;
   /// Three per triangle.
   std::vector<std::uint32_t> indices;

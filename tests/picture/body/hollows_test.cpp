@@ -93,8 +93,8 @@ TEST(Hollows, AreInsideAWallAndNotOnItsOutside) {
   }
 }
 
-// The corner of a cube that is hidden in a ball of the same part must not darken what is seen of
-// its edges.
+// The cube's corners are hidden in the ball. If they were dark, the visible parts of the cube's
+// edges would be dark, too.
 TEST(Hollows, AreNotWhereAnotherSurfaceEnclosesAVertex) {
   body::TriangleMesh mesh = ball_of_triangles(2, 30);
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());

@@ -97,8 +97,8 @@ json numbers_of(const ViewContents& contents) {
 json numbers_of(const BodyModel& body) {
   json numbers = json::array();
   add_rows(numbers, body.mesh.vertices);
-  // Of the colours only their number: whether a ray just misses an edge of a hollow depends on
-  // round-off.
+  // The shade in colours depends on rays that just miss an edge, and so on round-off. Their number
+  // does not.
   numbers.push_back(body.mesh.colors.size());
   add_indices(numbers, body.mesh.indices);
   for (std::size_t i = 0; i < body.parts.size(); ++i) {
