@@ -85,6 +85,11 @@ class DrawList {
   void arrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, const Ink& ink,
              double nearer = 0);
 
+  /// Adds such an arrow along a path of at least two points, which bends little from one to the
+  /// next. Its tip is the last one.
+  void arrow(std::span<const Eigen::Vector3d> path, double radius, const Ink& ink,
+             double nearer = 0);
+
   /// Adds a flat disc whose colour changes from `middle` to `rim`.
   void disc(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius,
             const Ink& middle, const Ink& rim);
@@ -149,8 +154,8 @@ class DrawList {
   struct Cone;
   void side(const Cone& cone, Triangles& triangles);
   void base(const Cone& cone, Triangles& triangles);
-  void add_outline(const Cone& stem, const Cone& tip, double width);
-  void add_ghost(const Cone& stem, const Cone& tip);
+  void add_outline(std::span<const Cone> stems, const Cone& tip, double width);
+  void add_ghost(std::span<const Cone> stems, const Cone& tip);
   std::uint32_t add_on(const Cone& cone, const Eigen::Vector3d& place,
                        const Eigen::Vector3d& normal);
   void add_side_edge_quads(const Cone& cone, std::vector<std::uint32_t>& indices);

@@ -135,50 +135,68 @@ void DrawList::add_rim_edge_quads(const Cone& cone, std::vector<std::uint32_t>& 
 
 void DrawList::arrow(const Vector3d& from, const Vector3d& to, double radius, const Ink& ink,
                      double nearer) {
-  const double length = (to - from).norm();
+  arrow(std::array{from, to}, radius, ink, nearer);
+}
+
+void DrawList::arrow(std::span<const Vector3d> path, double radius, const Ink& ink, double nearer) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
   if (!(length > 0)) return;
-  begin_thing();
-  nearer_ = nearer;
   const double scale = std::min(1.0, length / (arrow_head_length * radius));
-  const double head = arrow_head_length * radius * scale, shaft = length - head;
-  const Matrix3d frame = body::frame_with_z_along(to - from);
-  const Cone stem{frame, from, shaft, radius, radius, ink, around_arrow, true};
-  const Cone tip{frame,
-                 from + shaft * frame.col(2),
-                 head,
+  double shaft = length - arrow_head_length * radius * scale;
+  std::vector<Cone> stems;
+  Vector3d neck = path.front();
+  for (std::size_t i = 1; i < path.size() && shaft > 0; ++i) {
+    const Vector3d way = path[i] - path[i - 1];
+    const double piece = std::min(way.norm(), shaft);
+    if (!(piece > 0)) continue;
+    const Matrix3d frame = body::frame_with_z_along(way);
+    stems.push_back({frame, path[i - 1], piece, radius, radius, ink, around_arrow, true});
+    neck = path[i - 1] + piece * frame.col(2);
+    shaft -= piece;
+  }
+  const Vector3d head = path.back() - neck;
+  const Cone tip{body::frame_with_z_along(head),
+                 neck,
+                 head.norm(),
                  arrow_head_radius * radius * scale,
                  0,
                  ink,
                  around_arrow,
                  true};
-  if (shaft > 0) side(stem, items_);
+  begin_thing();
+  nearer_ = nearer;
+  for (const Cone& stem : stems) side(stem, items_);
   side(tip, items_);
   base(tip, items_);
-  if (const double size = pixels(tip.from); size > 0) {
-    add_outline(stem, tip, scale * std::max(outline_width * radius, least_outline / size));
-    add_ghost(stem, tip);
+  if (const double size = pixels(neck); size > 0) {
+    add_outline(stems, tip, scale * std::max(outline_width * radius, least_outline / size));
+    add_ghost(stems, tip);
   }
   nearer_ = 0;
 }
 
-void DrawList::add_outline(const Cone& stem, const Cone& tip, double width) {
+void DrawList::add_outline(std::span<const Cone> stems, const Cone& tip, double width) {
   const Ink outline{contrasting(tip.ink.color), outline_opacity * tip.ink.opacity};
-  if (stem.length > 0) side(stem.grown(width, outline), outlines_);
+  for (const Cone& stem : stems) side(stem.grown(width, outline), outlines_);
   side(tip.grown(width, outline), outlines_);
   base(tip.grown(width, outline), outlines_);
 }
 
 /// The stem is a line narrowed by its ramp, which would otherwise add to the edges of the visible
 /// part.
-void DrawList::add_ghost(const Cone& stem, const Cone& tip) {
-  const auto point = [&](double along) -> Point {
+void DrawList::add_ghost(std::span<const Cone> stems, const Cone& tip) {
+  std::vector<Point> line;
+  const auto add_point = [&](const Cone& stem, double along) {
     const Vector3d axis = stem.from + along * stem.frame.col(2);
     const Vector3d place = axis + stem.base * (eye_ - axis).normalized();  // the side that is seen
-    return {place, std::max(2 * stem.base * pixels(place) - 1, 0.0), stem.ink};
+    line.push_back({place, std::max(2 * stem.base * pixels(place) - 1, 0.0), stem.ink});
   };
-  if (stem.length > stem.base) {
-    add_line(std::array{point(0), point(stem.length - stem.base)}, ghosts_.faces);
+  for (const Cone& stem : stems) add_point(stem, 0);
+  if (!stems.empty() && stems.back().length > stems.back().base) {
+    add_point(stems.back(), stems.back().length - stems.back().base);
   }
+  if (line.size() > 1) add_line(line, ghosts_.faces);
   Cone plain = tip;
   plain.around = around_ghost;
   side(plain, ghosts_);
