@@ -47,6 +47,7 @@ FeatureName = Literal[
     "method",
     "drift",
     "forces",
+    "torques",
     "tilt",
     "moments",
 ]

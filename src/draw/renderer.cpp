@@ -21,7 +21,7 @@
 #include "picture/hud/hud.h"
 #include "picture/hud/moments_panel.h"
 #include "picture/hud/tilt_panel.h"
-#include "picture/hud/torque_readouts.h"
+#include "picture/hud/torque_gauge.h"
 #include "picture/look/background.h"
 #include "picture/look/emphasis.h"
 #include "picture/look/theme.h"
@@ -166,15 +166,12 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
   add_plot(std::in_place_type<picture::CurvePanel>, layout.curve, curve);
   add_plot(std::in_place_type<picture::TiltPanel>, layout.tilt, tilt);
   add_plot(std::in_place_type<picture::MomentsPanel>, layout.moments, moments);
+  add_plot(std::in_place_type<picture::TorqueGauge>, layout.torques, torques);
   const picture::TextStyle style{typeface, colors, layout.text, layout.compact,
                                  picture::needs_panels(scene.look)};
   if (layout.forces) {
     add(std::make_unique<picture::ForceLegend>(scene, layout, style), forces);
     taken.push_back(*layout.forces);
-  }
-  if (layout.torques) {
-    add(std::make_unique<picture::TorqueReadouts>(scene, solutions, layout, style), forces);
-    taken.push_back(*layout.torques);
   }
   auto text = std::make_unique<picture::Hud>(scene, solutions, layout, typeface, colors);
   std::ranges::copy(text->extents(), std::back_inserter(taken));

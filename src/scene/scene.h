@@ -204,6 +204,7 @@ enum class Feature {
   method,      ///< The method, below the title.
   drift,       ///< The energy drift, beside the time.
   forces,      ///< The forces on the parts in the camera's frame, as arrows.
+  torques,     ///< The torques of these forces that tilt the body further, and back.
   tilt,        ///< The tilt against L on a log scale, instead of the components.
   moments,     ///< The principal moments as bars.
 };

@@ -75,10 +75,13 @@ TEST(OverlayRecipe, IsTrueOfEachOverlay) {
   EXPECT_NE(draw("--bare").digest, draw("--bare --show momentum").digest);
   for (const std::string& name : names) {
     if (name == "momentum") continue;
-    // Labels need something to name, and the phase is an area on the sphere.
+    // Labels need something to name, the phase is an area on the sphere, and only the rotating
+    // frame has torques.
     const std::string others = name == "phase" ? "momentum,sphere" : "momentum";
-    const Drawn drawn = draw("--bare --show " + others + "," + name);
-    EXPECT_NE(drawn.digest, draw("--bare --show " + others).digest) << name << " draws nothing";
+    const std::string frame = name == "torques" ? "--frame rotating " : "";
+    const Drawn drawn = draw(frame + "--bare --show " + others + "," + name);
+    EXPECT_NE(drawn.digest, draw(frame + "--bare --show " + others).digest)
+        << name << " draws nothing";
     const json shown = drawn.scene["overlay"]["show"];
     EXPECT_THAT(shown.get<std::vector<std::string>>(), testing::Contains(name));
     EXPECT_EQ(shown.size(), name == "phase" ? 3U : 2U);

@@ -61,7 +61,8 @@ TEST(PageOverlays, AreThoseThatTheViewOfTheBodyDraws) {
   using scene::Feature;
   const std::set<std::string> features = offered();
   for (const Feature feature : enumerators<Feature>) {
-    if (feature == Feature::forces) continue;  // the page has no legend for their colours
+    // The page has no legend for their colours.
+    if (feature == Feature::forces || feature == Feature::torques) continue;
     const bool is_drawn = drawn_for({feature}) != drawn_for({}) ||
                           drawn_for({Feature::axes, feature}) != drawn_for({Feature::axes});
     if (!is_drawn) continue;

@@ -38,6 +38,15 @@ void require_sphere_of_phase(const scene::Overlay& overlay) {
                         "show sphere too, or use the view 'momentum' or 'quad'");
 }
 
+void require_rotating_frame(const scene::Scene& scene) {
+  const bool is_shown = scene.overlay.shows(scene::Feature::torques);
+  if (!is_shown || scene.camera.frame == scene::Frame::rotating) return;
+  throw InvalidArgument("show",
+                        "torques are those of the forces in the frame 'rotating'; the frame is '" +
+                            std::string(enumerator_name(scene.camera.frame)) + "'",
+                        "use the frame 'rotating'");
+}
+
 }  // namespace
 
 double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows) {
@@ -71,6 +80,7 @@ Layout compute_layout(const scene::Scene& scene) {
         "use the view 'wrench' to compare motions");
   }
   require_sphere_of_phase(overlay);
+  require_rotating_frame(scene);
   Parts parts = parts_of(scene.overlay);
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
     for (const TextPlacement placement : {TextPlacement::with_insets, TextPlacement::with_body}) {

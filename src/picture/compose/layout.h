@@ -66,11 +66,11 @@ struct Layout {
   std::optional<image::Area> description;
   /// The remark on what happens, and the readouts of a single motion.
   std::optional<image::Area> readouts;
-  /// The legend of the forces, in one row. The other three take the place of the curve or the
-  /// components or, if neither is shown, a part of the body's pane: the tilt against time, the
-  /// principal moments, and the torques of the forces. Without tilt and moments, the torques are
-  /// above the legend.
-  std::optional<image::Area> forces, torques, tilt, moments;
+  /// The legend of the forces, in one row below the body, and the gauge of their torques above it.
+  std::optional<image::Area> forces, torques;
+  /// The tilt against time and the principal moments, in the place of the curve or the components
+  /// or, if neither is shown, in a part of the body's pane.
+  std::optional<image::Area> tilt, moments;
   /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;
 
@@ -93,11 +93,15 @@ inline constexpr double remark_height = 1.6;
 /// Returns the height in px of that many rows of readouts with captions.
 double readouts_height(const Layout::TextSizes& sizes, bool compact, int rows);
 
+/// Returns the size in px per em of the text of the torques: its digits are a 50th of the picture's
+/// shorter side high.
+inline double torque_text_size(const Layout::TextSizes& sizes) { return 1.1 * sizes.readout; }
+
 /// Returns whether the nine components are in one row, instead of three rows of three.
 bool is_strip(const image::Area& components);
 
-/// Computes the layout. Throws InvalidArgument for a phase without its sphere, and for a comparison
-/// in a view that shows only one motion.
+/// Computes the layout. Throws InvalidArgument for a phase without its sphere, for torques in a
+/// frame other than the rotating one, and for a comparison in a view that shows only one motion.
 Layout compute_layout(const scene::Scene& scene);
 
 }  // namespace twrench::picture

@@ -83,8 +83,7 @@ class LayoutDraft {
   void place_forces();
   void place_force_panels();
   void place_force_legend();
-  bool compares_torques() const;
-  int torques_height() const;
+  void place_torques();
   image::Area safe_focus() const;
   bool take_focus(const image::Area& rest);
   image::Area cut_panels(image::Area& rest) const;

@@ -1,4 +1,5 @@
-// The legend of the forces, their torques, the tilt against time and the principal moments.
+// The legend of the forces, the gauge of their torques, the tilt against time and the principal
+// moments.
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +8,10 @@
 namespace twrench::picture {
 namespace {
 
-constexpr double legend_height = 1.25, least_legend = 20;     // em of a readout
-constexpr double least_panel_width = 12, least_height = 6.5;  // em of a caption
+constexpr double legend_height = 1.25, least_legend = 20;                 // em of a readout
+constexpr double least_panel_width = 12, least_height = 6.5;              // em of a caption
+constexpr double gauge_height = 4.5, gauge_width = 26, least_gauge = 16;  // em of its text
 constexpr int least_share = 3;          // the focus is at least a third of the pane
-constexpr std::size_t most_groups = 4;  // of parts
-constexpr int least_over_torques = 4;   // least height of the area, in torques' rows
 constexpr double panel_share = 0.3;     // of the focus
 constexpr double moments_share = 0.48;  // of an area that holds both
 
@@ -22,17 +22,6 @@ bool holds_panel(const image::Area& area, double size) {
 }
 
 }  // namespace
-
-/// Returns whether there are torques of forces to compare, of few enough groups of parts.
-bool LayoutDraft::compares_torques() const {
-  const std::size_t groups = scene::part_groups(scene_.body).size();
-  return overlay_.shows(scene::Feature::forces) && scene_.camera.frame != scene::Frame::space &&
-         groups >= 2 && groups <= most_groups;
-}
-
-int LayoutDraft::torques_height() const {
-  return static_cast<int>(std::lround(readouts_height(layout_.text, layout_.compact, 1)));
-}
 
 image::Area LayoutDraft::safe_focus() const { return image::common(layout_.panes[0].focus, safe_); }
 
@@ -69,8 +58,8 @@ image::Area LayoutDraft::beside_focus(image::Area area) const {
   return {area.x, top, area.width, bottom - top};
 }
 
-/// Divides the area of the curve or the components, or a part of the focus, among tilt, moments and
-/// torques.
+/// Divides the area of the curve or the components, or a part of the focus, between tilt and
+/// moments.
 void LayoutDraft::place_force_panels() {
   const bool tilt = overlay_.shows(scene::Feature::tilt);
   const bool moments = overlay_.shows(scene::Feature::moments);
@@ -81,10 +70,6 @@ void LayoutDraft::place_force_panels() {
   const double size = layout_.text.caption;
   if (!holds_panel(area, size) || (!plot && !take_focus(rest))) return;
   plot.reset();
-  const int row = torques_height();
-  if (compares_torques() && area.height > least_over_torques * row) {
-    layout_.torques = cut_bottom(area, row, gap_);
-  }
   if (tilt && moments) {
     image::Area left = area;
     const bool beside = area.width > 1.6 * area.height;
@@ -99,19 +84,27 @@ void LayoutDraft::place_force_panels() {
   (tilt ? layout_.tilt : layout_.moments) = area;
 }
 
-/// Places the legend of the forces and, unless the torques are among the panels, the torques above
-/// it.
+/// Places the legend of the forces below the body.
 void LayoutDraft::place_force_legend() {
   const double size = layout_.text.readout;
   image::Area rest = safe_focus();
   if (!overlay_.shows(scene::Feature::forces) || rest.width < least_legend * size) return;
   const image::Area row =
       cut_bottom(rest, static_cast<int>(std::lround(legend_height * size)), gap_);
+  if (rest.height > 0 && take_focus(rest)) layout_.forces = row;
+}
+
+/// Places the gauge of the torques below the body, in the middle.
+void LayoutDraft::place_torques() {
+  const double size = torque_text_size(layout_.text);
+  image::Area rest = safe_focus();
+  const int width = std::min(rest.width, static_cast<int>(gauge_width * size));
+  if (!overlay_.shows(scene::Feature::torques) || width < least_gauge * size) return;
+  image::Area row = cut_bottom(rest, static_cast<int>(std::lround(gauge_height * size)), gap_);
   if (rest.height <= 0 || !take_focus(rest)) return;
-  layout_.forces = row;
-  if (!compares_torques() || layout_.torques) return;
-  const image::Area torques = cut_bottom(rest, torques_height(), gap_);
-  if (rest.height > 0 && take_focus(rest)) layout_.torques = torques;
+  cut_left(row, (row.width - width) / 2, 0);
+  row.width = width;
+  layout_.torques = row;
 }
 
 /// Places the panels and the legend of a single body, if the scene shows them and they fit.
@@ -119,6 +112,7 @@ void LayoutDraft::place_forces() {
   if (overlay_.view != scene::View::wrench || !single()) return;
   place_force_panels();
   place_force_legend();
+  place_torques();
 }
 
 }  // namespace twrench::picture

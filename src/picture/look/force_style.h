@@ -21,4 +21,8 @@ std::string name_of(Force force);
 /// Returns the colour of the force's arrows and of its name.
 Color color_of(Force force, const OverlayColors& colors);
 
+/// Returns the colour of the torques that tilt the body further, and of those that tilt it back.
+Color color_of_further(const OverlayColors& colors);
+Color color_of_back(const OverlayColors& colors);
+
 }  // namespace twrench::picture

@@ -1,6 +1,7 @@
 #include "picture/views/body_view.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "picture/body/bounding_radius.h"
 #include "picture/compose/camera_path.h"
@@ -15,6 +16,12 @@ std::optional<ForceArrows> forces_of(const scene::Scene& scene, const timeline::
                                      double radius) {
   if (!scene.overlay.shows(scene::Feature::forces)) return std::nullopt;
   return ForceArrows(scene, solution, radius);
+}
+
+std::optional<TorqueArcs> torques_of(const scene::Scene& scene, const timeline::Solution& solution,
+                                     double radius) {
+  if (!scene.overlay.shows(scene::Feature::torques)) return std::nullopt;
+  return TorqueArcs(scene, solution, radius);
 }
 
 /// Tolerance in cm at which facets are indistinguishable from the shape: a seventh of a pixel in
@@ -34,6 +41,7 @@ BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Soluti
       radius_(radius),
       overlay_(scene, solutions[solution].body, radius_),
       forces_(forces_of(scene, solutions[solution], radius_)),
+      torques_(torques_of(scene, solutions[solution], radius_)),
       path_(scene.camera),
       framing_(framing_of(scene, solutions[solution])) {
   add_surroundings(scene);
@@ -70,6 +78,11 @@ void BodyView::add_surroundings(const scene::Scene& scene) {
   }
 }
 
+/// Returns the radius in cm of a sphere that contains everything that turns with the body.
+double BodyView::shown_radius() const {
+  return std::max(overlay_.bounding_radius(), torques_ ? torques_->bounding_radius() : 0.0);
+}
+
 /// Returns the framing, the same throughout the video, that keeps the overlay in view at all times.
 Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution& solution) const {
   std::vector<Eigen::Vector3d> points;
@@ -81,7 +94,7 @@ Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution
     if (frame_ == scene::Frame::space) break;  // there they are at rest
   }
   const double aspect = static_cast<double>(pane().focus.width) / pane().focus.height;
-  return framing_along(scene, aspect, overlay_.bounding_radius(), points);
+  return framing_along(scene, aspect, shown_radius(), points);
 }
 
 Viewpoint BodyView::viewpoint(double video_time) const {
@@ -123,8 +136,16 @@ void BodyView::add(const timeline::FrameState& state, ViewContents& contents) co
   }
   overlay_.draw(instant, contents.opaque, contents.translucent);
   if (forces_) forces_->draw(instant, contents.opaque);
+  if (torques_) {
+    torques_->draw(instant.sample, contents.camera, pane().area, contents.opaque,
+                   contents.translucent);
+  }
   if (!pane().named) return;
   contents.labels = overlay_.labels(state.solutions[solution_], contents.camera, pane().area);
+  if (torques_) {
+    std::ranges::move(torques_->labels(instant.sample, contents.camera, pane().area),
+                      std::back_inserter(contents.labels));
+  }
 }
 
 }  // namespace twrench::picture

@@ -5,6 +5,7 @@
 #include "picture/overlay/body_overlay.h"
 #include "picture/overlay/fixed_stars.h"
 #include "picture/overlay/force_arrows.h"
+#include "picture/overlay/torque_arcs.h"
 #include "picture/views/blur_sampling.h"
 #include "picture/views/view.h"
 
@@ -45,6 +46,7 @@ class BodyView final : public View {
   void add_surroundings(const scene::Scene& scene);
   motion::RotatingFrame frame_at(const motion::Sample& sample) const;
   timeline::SolutionState relative(timeline::SolutionState instant) const;
+  double shown_radius() const;
   Framing framing_of(const scene::Scene& scene, const timeline::Solution& solution) const;
 
   std::size_t solution_;
@@ -53,6 +55,7 @@ class BodyView final : public View {
   double radius_;  ///< Bounding radius of the body in every pose, in cm.
   BodyOverlay overlay_;
   std::optional<ForceArrows> forces_;
+  std::optional<TorqueArcs> torques_;
   scene::CameraPath path_;
   Framing framing_;  ///< Keeps the overlay in view too; its direction moves.
   BodyModel body_{};

@@ -83,7 +83,8 @@ void for_each_layout(scene::View view, int compared,
       if ((choice >> i & 1U) != 0) scene.overlay.show.insert(features[i]);
     }
     if (scene.overlay.shows(scene::Feature::forces)) {
-      scene.overlay.show.insert({scene::Feature::tilt, scene::Feature::moments});
+      scene.overlay.show.insert(
+          {scene::Feature::torques, scene::Feature::tilt, scene::Feature::moments});
       scene.camera.frame = scene::Frame::rotating;
     }
     for (const int width : sides) {
@@ -320,6 +321,30 @@ TEST(Layout, GivesTheLegendOfTheForcesARowBelowTheBody) {
   EXPECT_LT(layout.panes[0].focus.y + layout.panes[0].focus.height, layout.forces->y);
   scene.overlay.compare = {"rk4", "exact"};
   EXPECT_FALSE(compute_layout(scene).forces);
+}
+
+TEST(Layout, PutsTheGaugeOfTheTorquesBelowTheBody) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1280, 720}}) {
+    scene::Scene scene = t_wrench(width, height);
+    scene.camera.frame = scene::Frame::rotating;
+    const Layout before = compute_layout(scene);
+    scene.overlay.show.insert(scene::Feature::torques);
+    const Layout layout = compute_layout(scene);
+    ASSERT_TRUE(layout.torques) << width;
+    EXPECT_TRUE(inside(*layout.torques, before.panes[0].focus));
+    EXPECT_LT(layout.panes[0].focus.y + layout.panes[0].focus.height, layout.torques->y);
+  }
+}
+
+TEST(Layout, RefusesTorquesOutsideOfTheRotatingFrame) {
+  scene::Scene scene = t_wrench(640, 360);
+  scene.overlay.show.insert(scene::Feature::torques);
+  for (const scene::Frame frame : {scene::Frame::space, scene::Frame::body}) {
+    scene.camera.frame = frame;
+    EXPECT_THROW(compute_layout(scene), InvalidArgument);
+  }
+  scene.camera.frame = scene::Frame::rotating;
+  EXPECT_NO_THROW(compute_layout(scene));
 }
 
 }  // namespace

@@ -167,6 +167,7 @@ scene::Scene with_all(const std::string& name, scene::Theme theme, scene::Frame 
   scene.camera.frame = frame;
   for (const scene::Feature feature : enumerators<scene::Feature>)
     scene.overlay.show.insert(feature);
+  if (frame != scene::Frame::rotating) scene.overlay.show.erase(scene::Feature::torques);
   return scene;
 }
 
