@@ -110,6 +110,7 @@ scene::Overlay random_overlay(SceneDice& dice, const scene::Motion& motion) {
   }
   if (dice.chance(0.2)) overlay.trail_point = dice.vector(-10, 10);
   if (dice.chance(0.3)) overlay.trail_length = motion.duration * dice.spread(1e-3, 10);
+  if (dice.chance(0.3)) overlay.star_trail = dice.spread(1e-3, 10);
   overlay.font = dice.pick(std::array{"sans", "mono"});
   return overlay;
 }

@@ -133,7 +133,7 @@ py::tuple Writer::scene(const Scene& from) {
     py::list speeds;
     for (const auto& [time, value] : shot.speed.points) speeds.append(py::make_tuple(time, value));
     shots.append(py::make_tuple(scene(shot.scene), shot.fade, shot.move, shot.start, speeds,
-                                shot.place, sound_state(shot.narration)));
+                                shot.place, sound_state(shot.narration), shot.continues));
   }
   return py::make_tuple(from.name, values, body(from.body), from.caption, from.length, shots,
                         origins_state(from.origins), sound_state(from.film.audio));
@@ -286,6 +286,7 @@ scene::Shot Reader::shot(const py::tuple& state) {
           std::ranges::is_sorted(shot.speed.points, {}, &scene::SpeedCurve::Point::time));
   shot.place = state[5].cast<std::string>();
   shot.narration = sound_with(state[6].cast<py::tuple>());
+  shot.continues = state[7].cast<bool>();
   return shot;
 }
 

@@ -239,6 +239,7 @@ class Scene:
     compare_wheel = _Value[Optional[tuple[Vector, ...]]]()
     trail_point = _Value[Optional[Vector]]()
     trail_length = _Value[Optional[float]]()
+    star_trail = _Value[Optional[float]]()
     font = _Value[str]()
 
     def __init__(
@@ -289,6 +290,7 @@ class Scene:
         compare_wheel: Rows = UNSET,
         trail_point: Numbers = UNSET,
         trail_length: float = UNSET,
+        star_trail: float = UNSET,
         font: StrPath = UNSET,
         **unknown: NoReturn,
     ) -> None:

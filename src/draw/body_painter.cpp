@@ -1,5 +1,7 @@
 #include "draw/body_painter.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -45,6 +47,7 @@ BodyPainter::BodyPainter(const gl::Functions& gl, const gl::Framebuffer& framebu
       band_height_(rows_at_once(framebuffer)),
       body_(gl, view.body()),
       draw_list_pass_(gl),
+      still_painter_(gl, framebuffer, view.pane().area),
       is_multisampled_(is_multisampled) {
   if (!view.floor()) return;
   const image::Area picture{0, 0, framebuffer.width(), framebuffer.height()};
@@ -55,6 +58,7 @@ BodyPainter::BodyPainter(const gl::Functions& gl, const gl::Framebuffer& framebu
 std::vector<picture::Layer> BodyPainter::draw_still(const ViewContents& contents) {
   std::vector<picture::Layer> layers;
   if (floor_ && view_.floor()->is_lit) layers.push_back(floor_->light(contents.camera));
+  std::ranges::move(still_painter_.draw_still(contents), std::back_inserter(layers));
   return layers;
 }
 

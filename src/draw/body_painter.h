@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "draw/body_pass.h"
+#include "draw/draw_list_painter.h"
 #include "draw/draw_list_pass.h"
 #include "draw/floor.h"
 #include "draw/view_painter.h"
@@ -42,6 +43,7 @@ class BodyPainter final : public ViewPainter {
   int band_height_;  ///< Rows of the picture that are cleared and read back together.
   BodyPass body_;
   DrawListPass draw_list_pass_;
+  DrawListPainter still_painter_;
   bool is_multisampled_;
   std::optional<Floor> floor_;
 };

@@ -38,10 +38,11 @@ using picture::Layout;
 using picture::View;
 using picture::ViewContents;
 
+/// The stars around a body belong to its view.
 image::Image empty_picture(const scene::Scene& scene) {
   if (scene.look.transparent) return {scene.film.width, scene.film.height, 4};
-  return picture::background(scene.look, scene.film.width, scene.film.height,
-                             scene.camera.frame == scene::Frame::space);
+  const bool shows_body = scene::inset_index(scene.overlay.view) == scene::insets.size();
+  return picture::background(scene.look, scene.film.width, scene.film.height, !shows_body);
 }
 
 }  // namespace
@@ -189,7 +190,8 @@ image::Image Renderer::Parts::background(const std::optional<Camera>& camera) {
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto& [view, painter, is_dimmed, last] = views[i];
     ViewContents contents;
-    contents.begin(i == 0 && camera ? *camera : view->camera(0), view->pane().area);
+    const bool moves = i == 0 && camera;
+    contents.begin(moves ? *camera : view->camera(0), view->pane().area, moves);
     view->add_still(contents);
     for (Layer& layer : painter->draw_still(contents)) {
       if (is_dimmed) scale_opacity(layer, picture::dimmed_opacity);
@@ -214,7 +216,8 @@ Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
   if (camera) drawn.background = background(camera);
   for (std::size_t i = 0; i < views.size(); ++i) {
     auto& [view, painter, is_dimmed, contents] = views[i];
-    contents.begin(i == 0 && camera ? *camera : view->camera_in_space(state), view->pane().area);
+    const bool moves = i == 0 && camera;
+    contents.begin(moves ? *camera : view->camera_in_space(state), view->pane().area, moves);
     view->add(state, contents);
     for (PendingLayer& layer : painter->draw(contents)) {
       drawn.layers.push_back({std::move(layer), is_dimmed});

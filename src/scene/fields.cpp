@@ -444,6 +444,11 @@ const std::vector<Field>& fields() {
           {"overlay", "trail_length", "S", "seconds of motion that the trail covers",
            "the time of a 12 rad rotation"},
           within(limits::trail_length), [](auto& s) -> auto& { return s.overlay.trail_length; }),
+      complete<number>(
+          {"overlay", "star_trail", "S",
+           "seconds of video that the trail of a star covers when the camera turns",
+           "half of a frame"},
+          within(limits::star_trail), [](auto& s) -> auto& { return s.overlay.star_trail; }),
       complete<text>(
           {"overlay", "font", "NAME", "font of all text: sans, mono or a font file"}, any_text(),
           [](auto& s) -> auto& { return s.overlay.font; }),

@@ -57,6 +57,7 @@ inline constexpr Limit crease{0, 3.1415926535897932};  // rad
 inline constexpr Limit elevation{-1.5707963267948966, 1.5707963267948966, "straight below"};
 inline constexpr Limit distance{0.2, 20};
 inline constexpr Limit trail_length{1e-15, 1e15};  // s of motion
+inline constexpr Limit star_trail{0, 1000};        // s of video
 
 inline constexpr Limit shot_length{1e-3, 1e6};                // s of video
 inline constexpr Limit shot_transition{0, shot_length.high};  // s of video

@@ -252,6 +252,9 @@ struct Overlay {
   std::optional<Eigen::Vector3d> trail_point;
   /// Length of the trail in s of motion; by default the time of a 12 rad rotation.
   std::optional<double> trail_length;
+  /// Seconds of video that the streaks of stars cover in a camera that turns; by default the time
+  /// for which the shutter is open, half of the frame interval.
+  std::optional<double> star_trail;
   /// Name of a built-in font, or a font file.
   std::string font = "sans";
 
@@ -338,6 +341,8 @@ struct Shot {
   double move = 0.0;
   /// Time of the motion at the start of the shot, in s.
   double start = 0.0;
+  /// Whether it continues the motion of the previous shot from where that ended.
+  bool continues = false;
   /// Seconds of motion per second of video, against the time since the start of the shot.
   SpeedCurve speed;
   /// The sound file that starts with the shot.

@@ -4,6 +4,7 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "scene/keys.h"
@@ -101,6 +102,7 @@ class ShotReader {
   };
 
   double read_transition(TomlTable& table, const std::string& key, double length) const;
+  bool continues(const Shot& shot) const;
   std::size_t motion_of(const Scene& shot);
 
   const Scene& film_;
@@ -133,6 +135,20 @@ std::size_t ShotReader::motion_of(const Scene& shot) {
   if (found != motions_.end()) return static_cast<std::size_t>(found - motions_.begin());
   motions_.push_back({start});
   return motions_.size() - 1;
+}
+
+/// Returns whether the shot, the last in motion_of_shot_, continues the motion of the last in
+/// shots_ with the same method.
+bool ShotReader::continues(const Shot& shot) const {
+  if (shots_.empty()) return false;
+  const Shot& last = shots_.back();
+  const Motion &one = last.scene.motion, &other = shot.scene.motion;
+  const double end = last.time_of(*last.scene.length);
+  constexpr double round_off = 1e-9;
+  return motion_of_shot_.end()[-2] == motion_of_shot_.back() && one.method == other.method &&
+         one.control.step == other.control.step &&
+         one.control.tolerance == other.control.tolerance &&
+         std::abs(shot.start - end) <= round_off * end;
 }
 
 void ShotReader::read(TomlTable& table) {
@@ -169,6 +185,7 @@ void ShotReader::read(TomlTable& table) {
   shot.start =
       start ? limits::check(limits::shot_start, table.place("start"), start->get<double>()) : end;
   end = shot.time_of(length);
+  shot.continues = continues(shot);
   shots_.push_back(std::move(shot));
 }
 

@@ -3,15 +3,27 @@
 #include <algorithm>
 
 #include "scene/interior.h"
+#include "timeline/smooth_share.h"
 
 namespace twrench::timeline {
 namespace {
 
-/// Rises from 0 to 1 while `time` goes from 0 to `length`, with a smooth start and end.
-double smooth_share(double time, double length) {
-  if (time >= length) return 1;
-  const double share = time / length;
-  return share * share * (3 - 2 * share);
+/// The share of a transition of that length; 1 if its length is 0.
+double share_of(double time, double length) {
+  return time >= length ? 1 : smooth_share(time / length);
+}
+
+/// Returns the clock of a shot; none in a film without shots.
+Clock clock_of(const scene::Scene& film, std::size_t shot) {
+  if (film.shots.empty()) return {};
+  return [of = film.shots[shot]](double time) { return of.time_of(time); };
+}
+
+/// Returns whether the camera moves to another frame of reference while the motion goes on.
+bool changes_frame(const scene::Scene& film, std::size_t shot) {
+  const scene::Shot& own = film.shots[shot];
+  return own.move > 0 && own.continues &&
+         own.scene.camera.frame != film.shots[shot - 1].scene.camera.frame;
 }
 
 /// Finds the shot of each frame, and the frame's time in that shot.
@@ -57,26 +69,55 @@ FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& fra
   scene::check_shown_motion(film);
   const Clocks clocks(film);
   std::map<std::size_t, std::vector<FrameTime>> times;  // of each shot
-  const auto place = [&](std::size_t shot, int frame) {
-    times[shot].push_back(clocks.at(shot, frame));
+  const auto place = [&](std::size_t shot, const FrameTime& time) {
+    times[shot].push_back(time);
     return Place{shot, times[shot].size() - 1};
   };
   for (const int number : frames) {
     const std::size_t shot = clocks.shot_of(number);
-    Frame frame{place(shot, number), std::nullopt, 1, 1};
+    const FrameTime own = clocks.at(shot, number);
+    Frame frame{place(shot, own), std::nullopt, 1, 1};
     if (shot > 0) {
-      const double time = times[shot].back().video_time;
-      frame.faded = smooth_share(time, film.shots[shot].fade);
-      frame.moved = smooth_share(time, film.shots[shot].move);
-      if (frame.faded < 1 || frame.moved < 1) frame.previous = place(shot - 1, number);
+      frame.faded = share_of(own.video_time, film.shots[shot].fade);
+      frame.moved = share_of(own.video_time, film.shots[shot].move);
+      if (frame.faded < 1 || frame.moved < 1) {
+        FrameTime previous = clocks.at(shot - 1, number);
+        if (changes_frame(film, shot)) {  // both shots show the body in the same pose
+          previous.t = own.t;
+          previous.interval = own.interval;
+        }
+        frame.previous = place(shot - 1, previous);
+      }
     }
     frames_.push_back(frame);
   }
-  for (auto& [shot, of] : times) timelines_.try_emplace(shot, scene_of_shot(film, shot), of, stop);
+  for (auto& [shot, of] : times) {
+    timelines_.try_emplace(shot, scene_of_shot(film, shot), of, stop, clock_of(film, shot));
+  }
+  for (const auto& [shot, of] : times) {
+    if (shot > 0 && film.shots[shot].move > 0) moves_[shot] = move_of(film, shot);
+  }
   for (std::size_t i = 0; i < film.shots.size(); ++i) {
     caption_stays_.push_back(i > 0 &&
                              film.shots[i].scene.caption == film.shots[i - 1].scene.caption);
   }
+}
+
+std::shared_ptr<const CameraMove> FilmTimeline::move_of(const scene::Scene& film,
+                                                        std::size_t shot) const {
+  const scene::Shot &own = film.shots[shot], &previous = film.shots[shot - 1];
+  CameraMove move{
+      previous.scene.camera, *previous.scene.length, own.move, {}, own.start, own.speed};
+  if (changes_frame(film, shot)) {
+    const Solution& solution = solutions(shot).front();
+    const std::vector<double> ends{own.start, own.time_of(own.move)};
+    const std::vector<motion::Sample> samples =
+        motion::integrate(solution.body, *solution.method, solution.control, ends).samples;
+    move.change.emplace(
+        solution.body, FrameChange::End{previous.scene.camera.frame, samples[0], own.speed.at(0)},
+        FrameChange::End{own.scene.camera.frame, samples[1], own.speed.at(own.move)}, own.move);
+  }
+  return std::make_shared<const CameraMove>(std::move(move));
 }
 
 FilmFrame FilmTimeline::frame(std::size_t index) const {
@@ -86,6 +127,15 @@ FilmFrame FilmTimeline::frame(std::size_t index) const {
   };
   FilmFrame frame{own.shot, state(own), std::nullopt, faded, moved};
   if (previous) frame.previous = state(*previous);
+  const auto move = moves_.find(own.shot);
+  if (move != moves_.end()) {
+    frame.state.move = move->second;
+    frame.state.move_time = frame.state.video_time;
+    if (move->second->change && frame.previous) {  // one camera for both shots
+      frame.previous->move = move->second;
+      frame.previous->move_time = frame.state.video_time;
+    }
+  }
   if (faded < 1 && !caption_stays_[own.shot]) {  // one caption disappears before the next appears
     frame.state.caption_opacity = std::max(0.0, 2 * faded - 1);
     frame.previous->caption_opacity = std::max(0.0, 1 - 2 * faded);

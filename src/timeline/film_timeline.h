@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -72,8 +73,12 @@ class FilmTimeline {
     double faded, moved;
   };
 
+  std::shared_ptr<const CameraMove> move_of(const scene::Scene& film, std::size_t shot) const;
+
   std::vector<Frame> frames_;
   std::map<std::size_t, Timeline> timelines_;  ///< By the index of the shot.
+  /// By the index of the shot; only of shots that start with a move.
+  std::map<std::size_t, std::shared_ptr<const CameraMove>> moves_;
   std::vector<bool> caption_stays_;  ///< For each shot, whether the previous has the same caption.
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "scene/limits.h"
 #include "study/reference.h"
@@ -23,6 +24,13 @@ double shutter(double interval) { return 0.5 * interval; }
 double step_of_trail(const scene::Scene& scene, double length) {
   const double points = std::ceil(length * scene.motion.omega.norm() / 0.03);
   return length / std::clamp(points, 50.0, 2000.0);
+}
+
+/// Time in s of video between two points of a star's trail: about 0.05 rad.
+double step_of_stars(const scene::Scene& scene) {
+  const double rate = scene.motion.omega.norm() * scene.film.speed + std::abs(scene.camera.orbit);
+  const double length = *scene.overlay.star_trail;
+  return length / std::clamp(std::ceil(length * rate / 0.05), 32.0, 400.0);
 }
 
 /// Number of poses averaged in a frame that is `interval` s of motion from the next: as many as the
@@ -155,11 +163,12 @@ std::vector<FrameTime> frame_times(const scene::Film& film, const std::vector<in
 }
 
 Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
-                   const std::atomic<bool>* stop)
+                   const std::atomic<bool>* stop, const Clock& clock)
     : scene_(scene),
       frames_(frames.begin(), frames.end()),
       trail_length_(trail_length(scene)),
-      grid_step_(step_of_trail(scene, trail_length_)) {
+      grid_step_(step_of_trail(scene, trail_length_)),
+      clock_(clock ? clock : [speed = scene.film.speed](double time) { return time * speed; }) {
   for (const FrameTime& frame : frames_) {
     const std::size_t before = blur_ends_.empty() ? 0 : blur_ends_.back();
     blur_ends_.push_back(before + static_cast<std::size_t>(blur_poses(scene, frame.interval)));
@@ -173,8 +182,19 @@ Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
       }
     }
   }
+  if (scene.overlay.star_trail.value_or(0) > 0) add_star_times();
   solutions_ = solutions_of(scene, stop);
   for (const Solution& solution : solutions_) records_.push_back(record(solution));
+}
+
+/// Consecutive frames share the times.
+void Timeline::add_star_times() {
+  const double step = step_of_stars(scene_);
+  double next = -std::numeric_limits<double>::infinity();
+  for (const FrameTime& frame : frames_) {
+    next = std::max(next, std::ceil((frame.video_time - *scene_.overlay.star_trail) / step));
+    for (; next * step < frame.video_time; ++next) star_times_.push_back(next * step);
+  }
 }
 
 /// Integrates once, because the sample at a time does not depend on which others are requested.
@@ -190,11 +210,13 @@ Timeline::Record Timeline::record(const Solution& solution) const {
   for (const std::int64_t number : grid_numbers_) {
     times.push_back(static_cast<double>(number) * grid_step_);
   }
+  for (const double time : star_times_) times.push_back(std::max(0.0, clock_(time)));
   const std::vector<motion::Sample> samples =
       motion::integrate(solution.body, *solution.method, solution.control, times).samples;
   const auto blur = samples.begin() + std::ssize(frames_);
-  const auto grid = samples.end() - std::ssize(grid_numbers_);
-  return {{samples.begin(), blur}, {blur, grid}, {grid, samples.end()}};
+  const auto stars = samples.end() - std::ssize(star_times_);
+  const auto grid = stars - std::ssize(grid_numbers_);
+  return {{samples.begin(), blur}, {blur, grid}, {grid, stars}, {stars, samples.end()}};
 }
 
 std::vector<motion::Sample> Timeline::trail(const Record& record, std::size_t index) const {
@@ -205,6 +227,21 @@ std::vector<motion::Sample> Timeline::trail(const Record& record, std::size_t in
   std::vector<motion::Sample> trail(first, last);
   trail.push_back(now);
   return trail;
+}
+
+void Timeline::add_stars(FrameState& state) const {
+  const auto first =
+      std::ranges::lower_bound(star_times_, state.video_time - *scene_.overlay.star_trail);
+  const auto last = std::ranges::lower_bound(star_times_, state.video_time);
+  state.star_times.assign(first, last);
+  state.star_times.push_back(state.video_time);
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    const auto& stars = records_[i].stars;
+    std::vector<motion::Sample>& samples = state.solutions[i].stars;
+    samples.assign(stars.begin() + (first - star_times_.begin()),
+                   stars.begin() + (last - star_times_.begin()));
+    samples.push_back(state.solutions[i].sample);
+  }
 }
 
 double SolutionState::trail_age(const motion::Sample& of_trail, double trail_length) const {
@@ -232,6 +269,7 @@ FrameState Timeline::frame_state(std::size_t index) const {
         0,
         next_flip(solution, record.frames[index].t),
         {},
+        {},
         {}};
     instant.flips =
         static_cast<std::size_t>(std::ranges::upper_bound(solution.flip_times, instant.sample.t) -
@@ -243,6 +281,7 @@ FrameState Timeline::frame_state(std::size_t index) const {
     }
     state.solutions.push_back(std::move(instant));
   }
+  if (scene_.overlay.star_trail.value_or(0) > 0) add_stars(state);
   return state;
 }
 

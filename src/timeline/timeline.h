@@ -5,11 +5,14 @@
 #include <twrench/motion/trajectory.h>
 
 #include <atomic>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "scene/scene.h"
+#include "timeline/camera_move.h"
 
 namespace twrench::timeline {
 
@@ -68,6 +71,8 @@ struct SolutionState {
   std::vector<motion::Sample> trail;
   /// Samples while the shutter is open, which is half the frame interval.
   std::vector<motion::Sample> blur;
+  /// Samples at FrameState::star_times.
+  std::vector<motion::Sample> stars;
 
   /// Returns the age of a sample of the trail at this state, as a fraction of the trail's length in
   /// s: from 0 to 1.
@@ -84,6 +89,13 @@ struct FrameState {
   double caption_opacity = 1.0;
   /// The state of each motion.
   std::vector<SolutionState> solutions;
+  /// Times like video_time, oldest first and ending with it, through which the trails of the stars
+  /// go; empty if their streaks are those of the shutter.
+  std::vector<double> star_times = {};
+  /// The move with which the shot starts; null if it has none.
+  std::shared_ptr<const CameraMove> move = nullptr;
+  /// The time of this frame in the move.
+  double move_time = 0.0;
 };
 
 /// The flips of a motion up to a time.
@@ -98,15 +110,19 @@ struct FlipsSoFar {
 /// which the body rotates by about 12 rad.
 double trail_length(const scene::Scene& scene);
 
+/// Returns the time of the motion in s at a time in the video, or in the shot, in s.
+using Clock = std::function<double(double)>;
+
 /// Computes the motions of a video frame by frame. A frame state depends only on the scene and the
 /// frame number, not on which other frames are requested.
 class Timeline {
  public:
   /// Integrates everything that `frames` (in ascending order of t) need: one motion or, for a
   /// comparison, one per method or initial angular velocity. Another thread can end the integration
-  /// through `stop`, as in StepControl; it may be null. Throws as motion::integrate() does.
+  /// through `stop`, as in StepControl; it may be null. `clock` is that of the frames, by default
+  /// that of a film of one motion. Throws as motion::integrate() does.
   Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
-           const std::atomic<bool>* stop = nullptr);
+           const std::atomic<bool>* stop = nullptr, const Clock& clock = {});
 
   /// The same for frames of a film of one motion, by their numbers.
   Timeline(const scene::Scene& scene, const std::vector<int>& frames)
@@ -126,12 +142,15 @@ class Timeline {
   /// trails.
   struct Record {
     std::vector<motion::Sample> frames;
-    std::vector<motion::Sample> blur;  ///< Those of frame i end before blur_ends_[i].
-    std::vector<motion::Sample> grid;  ///< Samples at grid_step_ times grid_numbers_.
+    std::vector<motion::Sample> blur;   ///< Those of frame i end before blur_ends_[i].
+    std::vector<motion::Sample> grid;   ///< Samples at grid_step_ times grid_numbers_.
+    std::vector<motion::Sample> stars;  ///< Samples at star_times_.
   };
 
+  void add_star_times();
   Record record(const Solution& solution) const;
   std::vector<motion::Sample> trail(const Record& record, std::size_t index) const;
+  void add_stars(FrameState& state) const;
 
   scene::Scene scene_;
   std::vector<FrameTime> frames_;
@@ -139,6 +158,8 @@ class Timeline {
   double grid_step_;                        ///< Spacing in s.
   std::vector<std::size_t> blur_ends_;      ///< End of each frame's blurred poses; see Record.
   std::vector<std::int64_t> grid_numbers_;  ///< Ascending.
+  std::vector<double> star_times_;          ///< Ascending, in s of video.
+  Clock clock_;
   std::vector<Solution> solutions_;
   std::vector<Record> records_;
 };

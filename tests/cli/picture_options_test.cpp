@@ -85,12 +85,13 @@ TEST(PictureOptions, RoughPaintBesideAThinPartIsDull) {
 TEST(PictureOptions, OfTheOverlay) {
   const json scene = scene_drawn_with(
       "--title Wrench --bare --show trail,plane,omega --hide plane --trail-point 1,2,3 "
-      "--trail-length 4 --font mono");
+      "--trail-length 4 --star-trail 1.5 --font mono");
   EXPECT_EQ(scene["title"], "Wrench");
   EXPECT_EQ(scene["overlay"], json({{"view", "wrench"},
                                     {"show", {"omega", "trail"}},
                                     {"trail_point", {1.0, 2.0, 3.0}},
                                     {"trail_length", 4.0},
+                                    {"star_trail", 1.5},
                                     {"font", "mono"}}));
 }
 

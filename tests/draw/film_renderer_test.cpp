@@ -1,13 +1,20 @@
 #include "draw/film_renderer.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "draw/cross_fade.h"
 #include "gl/test_context.h"
+#include "image/compare.h"
+#include "picture/compose/layout.h"
+#include "picture/views/body_view.h"
 #include "scene/scene.h"
 
 namespace twrench::draw {
@@ -140,6 +147,128 @@ TEST_F(FilmRendererTest, MovesTheCameraOfBothShots) {
   scene::Scene cut = plain;
   cut.shots[1].fade = 0;
   EXPECT_EQ(drawn(plain, 6).image.pixels, drawn(cut, 6).image.pixels);
+}
+
+/// A film whose camera moves to `frame` in its second shot and back to space in its third.
+scene::Scene film_of_frames(const std::string& frame, double size, const std::string& motion) {
+  const std::string radius = fmt::format("{}", size);
+  return scene::parse_scene(
+      "[[part]]\nshape = 'cylinder'\nradius = " + radius +
+          "\nlength = " + fmt::format("{}", 8 * size) + "\naxis = [0, 1, 0]\nposition = [" +
+          radius + ", 0, 0]\ndensity = 1\n[[part]]\nshape = 'sphere'\nradius = " + radius +
+          "\nposition = [" + fmt::format("{}", 3 * size) + ", 0, 0]\ndensity = 3\n" + R"(
+[film]
+size = [64, 36]
+fps = 20
+speed = 2
+[look]
+theme = "space"
+[overlay]
+show = []
+[[shot]]
+length = 2
+[[shot]]
+length = 3
+move = 1.5
+[shot.camera]
+azimuth = 0.4
+frame = ")" +
+          frame + R"("
+[[shot]]
+length = 2
+move = 2
+[motion]
+method = "exact"
+)" + motion,
+      "frames.toml");
+}
+
+/// How far one attitude of a camera is turned from another, in rad.
+double angle_between(const Camera& one, const Camera& other) {
+  return Eigen::AngleAxisd(one.camera_from_space() * other.camera_from_space().transpose()).angle();
+}
+
+TEST_F(FilmRendererTest, MovesTheCameraToAnotherFrameOfReferenceInOnePicture) {
+  for (const char* const frame : {"rotating", "body"}) {
+    for (const double size : {1e-6, 1.0, 1e5}) {
+      for (const char* const motion :
+           {"omega = [1, 0.05, 0]", "omega = [0.01, 0.02, 1.3]", "omega = [0.5, 0.4, 0.6]"}) {
+        SCOPED_TRACE(fmt::format("{} {} {}", frame, size, motion));
+        const scene::Scene scene = film_of_frames(frame, size, motion);
+        FilmRenderer renderer(*context, scene);
+        const timeline::FilmTimeline timeline(scene, every_frame(scene));
+        std::vector<Camera> cameras;
+        for (std::size_t i = 0; i < timeline.size(); ++i) {
+          const timeline::FilmFrame shown = timeline.frame(i);
+          EXPECT_EQ(shown.faded, 1) << "no dissolve";
+          cameras.push_back(renderer.camera(timeline, shown));
+        }
+        EXPECT_EQ(cameras[40].view, cameras[39].view) << "it starts where the first shot ended";
+        double last = 0;
+        for (std::size_t i = 1; i < cameras.size(); ++i) {
+          const double turned = angle_between(cameras[i], cameras[i - 1]);
+          EXPECT_LT(std::abs(turned - last), 0.12) << "it jumps at " << i;
+          last = turned;
+        }
+        EXPECT_LT(angle_between(cameras.back(), cameras[0]), 0.02) << "back in space";
+        const picture::Camera still = renderer.camera(timeline, timeline.frame(80));
+        EXPECT_EQ(still.view, cameras[80].view);
+      }
+    }
+  }
+}
+
+TEST_F(FilmRendererTest, FadesOnlyTheSurroundingsWhileTheFrameOfReferenceChanges) {
+  scene::Scene film = film_of_frames("rotating", 1, "omega = [1, 0.05, 0]");
+  film.shots[1].speed = {{{0, 2}, {0.1, 0.5}}};  // the first shot would be elsewhere at its speed
+  const image::Image cut = drawn(film, 50).image;
+  film.shots[1].fade = 1;
+  EXPECT_LT(image::compare(drawn(film, 50).image, cut, 0)->max, 3) << "the body in one pose";
+  film.shots[1].continues = false;
+  EXPECT_GT(image::compare(drawn(film, 50).image, cut, 0)->max, 30);
+}
+
+TEST_F(FilmRendererTest, TurnsStarsAsTheCameraOfEarlierFramesSawThem) {
+  for (const char* const frame : {"rotating", "body"}) {
+    scene::Scene film = film_of_frames(frame, 1, "omega = [0.3, 0.02, 0]");
+    for (scene::Shot& shot : film.shots) {
+      shot.scene.overlay.star_trail = 1.6;  // 32 steps of 1 / 20 s
+      shot.scene.camera.orbit = 0.2;
+    }
+    FilmRenderer renderer(*context, film);
+    const timeline::FilmTimeline timeline(film, every_frame(film));
+    const auto camera = [&](std::size_t i) { return renderer.camera(timeline, timeline.frame(i)); };
+    for (const std::size_t now : {60U, 80U, 99U}) {  // in the move, and after it
+      const scene::Scene& scene = film.shots[1].scene;
+      const picture::BodyView view(scene, timeline.solutions(1), 0,
+                                   picture::compute_layout(scene).panes[0]);
+      const auto turning = view.turning(timeline.frame(now).state, camera(now));
+      const timeline::FrameState state = timeline.frame(now).state;
+      ASSERT_GE(turning.rotations.size(), 33U);
+      for (std::size_t i = 0; i < turning.rotations.size(); ++i) {
+        const double before = 20 * (state.video_time - state.star_times[i]);
+        const std::size_t then = now - static_cast<std::size_t>(std::lround(before));
+        const Eigen::Matrix3d expected =
+            camera(now).camera_from_space().transpose() * camera(then).camera_from_space();
+        EXPECT_LT((turning.rotations[i] - expected).norm(), 1e-9) << now << " " << then;
+      }
+    }
+  }
+}
+
+TEST_F(FilmRendererTest, ShowsTheSameStarsBeforeAndAfterTheCameraBeginsToTurn) {
+  scene::Scene film = film_of_frames("rotating", 1e-3, "omega = [1, 0.05, 0]");
+  for (scene::Shot& shot : film.shots) {
+    shot.scene.film.width = 640;
+    shot.scene.film.height = 360;
+  }
+  film.film.width = 640;
+  film.film.height = 360;
+  film.shots[1].speed = film.shots[0].speed = {{{0, 0}}};  // the body stands still
+  film.shots[1].start = 0;
+  const image::Image still = drawn(film, 39).image, turning = drawn(film, 40).image;
+  EXPECT_GT(*std::ranges::max_element(still.pixels), 100) << "there are stars";
+  EXPECT_LT(image::compare(still, turning, 2)->share, 1e-4) << "except on the edges of the body";
 }
 
 TEST_F(FilmRendererTest, TellsWhereAFrameDiffersFromItsBackground) {

@@ -45,7 +45,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         "show": ("floor", "axes"), "stress": ("axes",), "compare": ("rk4", "exact"),
         "compare_omega": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.5)),
         "compare_wheel": ((0.0, 0.0, 0.0), (0.0, 20.0, 0.0)), "trail_point": (1.0, 2.0, 3.0),
-        "trail_length": 5.0, "font": "mono",
+        "trail_length": 5.0, "star_trail": 1.5, "font": "mono",
     }  # fmt: skip
     assert other.keys() == keys - {"material"}
     scene = Scene()

@@ -112,6 +112,7 @@ show = ["axes", "plane"]
 compare = ["rk4", "exact"]
 trail_point = [1, 2, 3]
 trail_length = 7
+star_trail = 1.5
 font = "mono"
 )";
 
@@ -151,6 +152,7 @@ TEST(SceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.overlay.compare, (std::vector<std::string>{"rk4", "exact"}));
   EXPECT_EQ(scene.overlay.trail_point, Vector3d(1, 2, 3));
   EXPECT_EQ(scene.overlay.trail_length, 7);
+  EXPECT_EQ(scene.overlay.star_trail, 1.5);
   EXPECT_EQ(scene.overlay.font, "mono");
   EXPECT_EQ(scene.frame_count(), 150);
   EXPECT_EQ(scene.film.time_of(3), 3 * 2.0 / 25);

@@ -111,6 +111,23 @@ TEST(Shots, GoOnWhereTheSameMotionEnded) {
   EXPECT_EQ(scene.shots[3].time_of(1), 8);
 }
 
+TEST(Shots, KnowWhetherTheyContinueThePreviousOne) {
+  const Scene scene = parse_scene(story, "story.toml");
+  std::vector<bool> continues;
+  for (const Shot& shot : scene.shots) continues.push_back(shot.continues);
+  EXPECT_EQ(continues, (std::vector{false, true, false, false}));
+  const auto second_continues = [](const std::string& shot) {
+    return parse_scene(film + "[[shot]]\nlength = 2\n[[shot]]\nlength = 2\n" + shot, "s.toml")
+        .shots[1]
+        .continues;
+  };
+  EXPECT_TRUE(second_continues("start = 4"));
+  EXPECT_TRUE(second_continues("[shot.camera]\nframe = 'body'"));
+  EXPECT_FALSE(second_continues("start = 4.1"));
+  EXPECT_FALSE(second_continues("[shot.motion]\nmethod = 'rk4'"));
+  EXPECT_FALSE(second_continues("[shot.motion]\nomega = [1, 0.06, 0]"));
+}
+
 TEST(Shots, HaveMotionsAsLongAsAnyOfThemNeeds) {
   const Scene scene = parse_scene(story, "story.toml");
   for (const std::size_t same : {0U, 1U, 3U}) {

@@ -154,6 +154,46 @@ TEST(FilmTimeline, AFrameDoesNotDependOnTheOthers) {
   }
 }
 
+TEST(FilmTimeline, KnowsTheMoveToAnotherFrameOfReference) {
+  scene::Scene scene = story_of_three();
+  scene.shots[1].scene.camera.frame = scene::Frame::rotating;
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  EXPECT_FALSE(film.frame(19).state.move);
+  const FilmFrame frame = film.frame(25);
+  ASSERT_TRUE(frame.state.move && frame.state.move->change);
+  EXPECT_EQ(frame.state.move_time, 0.5);
+  EXPECT_EQ(frame.previous->move, frame.state.move);
+  EXPECT_EQ(frame.previous->move_time, 0.5);
+  EXPECT_EQ(motion_time(*frame.previous), motion_time(frame.state)) << "one pose";
+  const CameraMove& move = *frame.state.move;
+  EXPECT_EQ(move.share(-1), 0);
+  EXPECT_EQ(move.share(1), 0.5);
+  EXPECT_EQ(move.time_of(8.5, 3), 3) << "the motion stands still from 2 s on";
+  EXPECT_NEAR(move.time_of(7.25, 3), 0.5, 1e-12);
+  EXPECT_EQ(move.time_of(7.25, 0.2), 0.2);
+  EXPECT_EQ(move.time_of(5, 3), 0);
+  scene.shots[1].continues = false;
+  const FilmTimeline other(scene, frames_of_all_shots(scene));
+  ASSERT_TRUE(other.frame(25).state.move);
+  EXPECT_FALSE(other.frame(25).state.move->change) << "the motions differ";
+  EXPECT_EQ(motion_time(*other.frame(25).previous), 7.5);
+}
+
+TEST(FilmTimeline, TheTrailsOfStarsCoverTheirTime) {
+  scene::Scene scene = story_of_three();
+  for (scene::Shot& shot : scene.shots) shot.scene.overlay.star_trail = 0.8;
+  const FilmTimeline film(scene, frames_of_all_shots(scene)), alone(scene, {47});
+  const FrameState state = film.frame(47).state;
+  EXPECT_NEAR(state.star_times.front(), 2.7 - 0.8, 0.026);
+  EXPECT_EQ(state.star_times.back(), 2.7);
+  ASSERT_EQ(state.solutions[0].stars.size(), state.star_times.size());
+  for (std::size_t i = 0; i < state.star_times.size(); ++i) {
+    EXPECT_EQ(state.solutions[0].stars[i].t, scene.shots[1].time_of(state.star_times[i]));
+    EXPECT_EQ(state.solutions[0].stars[i].X, alone.frame(0).state.solutions[0].stars[i].X);
+  }
+  EXPECT_EQ(film.frame(0).state.solutions[0].stars.front().t, 0) << "not before the start";
+}
+
 TEST(FilmTimeline, CountsTheFlipsOnTheClockOfEachShot) {
   scene::Scene scene = story_of_three();
   for (scene::Shot& shot : scene.shots) shot.scene.motion.omega *= 4;

@@ -9,8 +9,8 @@
 
 #include "base/enumeration.h"
 #include "page_views.h"
+#include "picture/look/sky.h"
 #include "scratch.h"
-#include "stars.h"
 
 namespace twrench::page {
 namespace {
@@ -177,12 +177,16 @@ using namespace twrench::page;
       body_contents(*motion, settings, {azimuth, elevation, zoom}, read_state(arguments)));
 }
 
-/// Writes the stars of a theme, `count` of them in the picture of the scene's camera: direction in
+/// Writes the stars of a theme, `count` of them in the picture of the default camera: direction in
 /// space, brightness and tint of each.
-[[clang::export_name("theme_stars")]] const float* theme_stars(const Motion* motion, int count) {
-  const picture::BodyView& view = body_view(*motion, settings_alone());
+[[clang::export_name("theme_stars")]] const float* theme_stars(int count) {
   static std::vector<float> stars;
-  stars = stars_around(view.camera(0), count);
+  stars.clear();
+  for (const auto& [direction, brightness, tint] : picture::sky(count)) {
+    for (const double x : direction) stars.push_back(static_cast<float>(x));
+    stars.push_back(static_cast<float>(brightness));
+    stars.push_back(static_cast<float>(tint));
+  }
   Results(1) << static_cast<double>(stars.size());
   return stars.data();
 }

@@ -127,9 +127,9 @@ export class Pictures {
     return this.#contents();
   }
 
-  /** The stars of a theme: direction, brightness and tint of each. @param {Motion} motion @param {Settings} settings @param {number} count of those in the scene's picture */
-  stars(motion, settings, count) {
-    return floatsAt(this.instance, this.#call('theme_stars', motion, settings, [], count));
+  /** The stars of a theme: direction, brightness and tint of each. @param {number} count of those in the default camera's picture */
+  stars(count) {
+    return floatsAt(this.instance, this.instance.call('theme_stars', count));
   }
 
   /** An inset. @param {string} name @param {Motion} motion @param {Settings} settings @param {Viewpoint} from @param {Samples[]} instants One, or two to compare. */

@@ -17,7 +17,7 @@ const objectsOf = (gl) => ({
   lists: new DrawListPass(gl),
   ground: new Ground(gl),
   stars: new Stars(gl),
-  starsFor: '', // the settings for which they are placed
+  starCount: 0, // that of the theme whose stars are placed
   /** @type {{surface: Surface, theme: any, pass: BodyPass}[]} The last one used comes last. */
   bodies: [],
 });
@@ -64,17 +64,11 @@ export class Graphics {
     return body.pass;
   }
 
-  /**
-   * Places the stars, which are at rest in space, as the camera of a view's settings sees them.
-   * @param {import("../core/pictures.js").Pictures} pictures @param {import("../core/core.js").Motion} motion
-   * @param {import("../core/types").Settings} settings @param {number} count
-   */
-  placeStars(pictures, motion, settings, count) {
-    const { width, height, show, frame, radius } = settings,
-      key = JSON.stringify([width, height, show, frame, radius, motion.omega, motion.inertia, motion.interior]);
-    if (this.objects.starsFor === key) return;
-    this.objects.stars.place(pictures.stars(motion, settings, count));
-    this.objects.starsFor = key;
+  /** Places the stars, which are at rest in space. @param {import("../core/pictures.js").Pictures} pictures @param {number} count */
+  placeStars(pictures, count) {
+    if (this.objects.starCount === count) return;
+    this.objects.stars.place(pictures.stars(count));
+    this.objects.starCount = count;
   }
 
   /** Makes room for a picture of this size. @param {number} width @param {number} height in pixels */

@@ -66,8 +66,7 @@ export class BodyView extends CanvasView {
       const left = Math.round((i * width) / panes.length),
         end = Math.round(((i + 1) * width) / panes.length);
       const own = { ...settings, width: end - left, height, thinnest: pixelsOfUnit() };
-      if (hasStars(theme, own))
-        this.graphics.placeStars(this.pictures, model.motion, own, theme.backdrop.stars);
+      if (hasStars(theme, own)) this.graphics.placeStars(this.pictures, theme.backdrop.stars);
       const contents = this.pictures.body(model.motion, own, this.viewpoint, instant);
       this.#drawPane(picture, own, instant, contents, {
         left,

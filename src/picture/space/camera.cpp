@@ -121,11 +121,14 @@ Camera widened(const Camera& camera, const image::Area& focus, const image::Area
   return wide;
 }
 
+Eigen::Matrix3d turned(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, double share) {
+  return Eigen::Quaterniond(from).slerp(share, Eigen::Quaterniond(to)).toRotationMatrix();
+}
+
 Camera between(const Camera& from, const Camera& to, double share) {
-  const Eigen::Quaterniond start(from.camera_from_space()), end(to.camera_from_space());
   const double distance = from.distance * std::pow(to.distance / from.distance, share);
   Matrix4d view = Matrix4d::Identity();
-  view.topLeftCorner<3, 3>() = start.slerp(share, end).toRotationMatrix();
+  view.topLeftCorner<3, 3>() = turned(from.camera_from_space(), to.camera_from_space(), share);
   view(2, 3) = -distance;
   return {view, from.projection + share * (to.projection - from.projection), distance};
 }

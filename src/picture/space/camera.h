@@ -60,6 +60,10 @@ Camera widened(const Camera& camera, const image::Area& focus, const image::Area
 /// The camera turns about the origin by the shortest way.
 Camera between(const Camera& from, const Camera& to, double share);
 
+/// Returns the rotation on the shortest way from one rotation to another. `share`, 0 to 1, is the
+/// fraction of the way.
+Eigen::Matrix3d turned(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, double share);
+
 /// Converts a camera for coordinates in a frame to one for coordinates in space. The frame has the
 /// same origin and the attitude `space_from_frame`.
 Camera carried(const Camera& camera, const Eigen::Matrix3d& space_from_frame);

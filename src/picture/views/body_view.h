@@ -34,7 +34,12 @@ class BodyView final : public View {
   Viewpoint viewpoint(double video_time) const override;
   Camera camera_from(const Viewpoint& from) const override;
   Camera in_space(const Camera& camera, const timeline::FrameState& state) const override;
+  void add_still(ViewContents& contents) const override;
   void add(const timeline::FrameState& state, ViewContents& contents) const override;
+
+  /// Returns how the camera of a frame has turned: for the scene's star_trail, or while the shutter
+  /// is open. `camera` is that of the frame, for coordinates in space.
+  FixedStars::Turning turning(const timeline::FrameState& state, const Camera& camera) const;
 
   const BodyModel& body() const { return body_; }
   /// Returns nothing without motion blur.
@@ -44,9 +49,18 @@ class BodyView final : public View {
 
  private:
   void add_surroundings(const scene::Scene& scene);
+<<<<<<< HEAD
   motion::RotatingFrame frame_at(const motion::Sample& sample) const;
   timeline::SolutionState relative(timeline::SolutionState instant) const;
   double shown_radius() const;
+=======
+  Eigen::Matrix3d frame_at(const timeline::FrameState& state, double video_time,
+                           const motion::Sample& sample) const;
+  Eigen::Matrix3d camera_from_space(const timeline::FrameState& state, double video_time,
+                                    const motion::Sample& sample) const;
+  timeline::SolutionState relative(const timeline::FrameState& state) const;
+  FixedStars::Turning turning_in_shutter(const timeline::FrameState& state) const;
+>>>>>>> e755eadf (Move the camera between frames of reference in one take)
   Framing framing_of(const scene::Scene& scene, const timeline::Solution& solution) const;
 
   std::size_t solution_;
@@ -61,7 +75,10 @@ class BodyView final : public View {
   BodyModel body_{};
   std::optional<BlurSampling> sampling_;
   std::optional<Floor> floor_;       ///< For a camera at rest in space.
-  std::optional<FixedStars> stars_;  ///< For other cameras: shows how the world turns.
+  std::optional<FixedStars> stars_;  ///< Those of the theme, or others that show how space turns.
+  bool turns_;                       ///< Whether the camera turns throughout the scene.
+  double half_open_;                 ///< Half the time in s of video that the shutter is open.
+  double speed_;                     ///< Seconds of motion per second of video.
 };
 
 }  // namespace twrench::picture

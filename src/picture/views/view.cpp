@@ -2,8 +2,9 @@
 
 namespace twrench::picture {
 
-void ViewContents::begin(const Camera& camera_in_space, const image::Area& pane) {
+void ViewContents::begin(const Camera& camera_in_space, const image::Area& pane, bool moves) {
   camera = camera_in_space;
+  is_moving = moves;
   X.reset();
   blur.clear();
   opaque.begin(camera, pane);

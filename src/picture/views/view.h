@@ -17,6 +17,8 @@ namespace twrench::picture {
 struct ViewContents {
   /// For coordinates in space.
   Camera camera;
+  /// Whether the camera is on its way from another one, so that nothing stands still in it.
+  bool is_moving = false;
   /// Attitude of the body, space_from_body; nothing if the view shows no body.
   std::optional<Eigen::Matrix3d> X;
   /// Its attitudes while the shutter is open; empty without motion blur.
@@ -27,8 +29,8 @@ struct ViewContents {
   std::vector<Label> labels;
 
   /// Removes all contents. Items are then added as `camera_in_space` sees them, whose picture fills
-  /// `pane`.
-  void begin(const Camera& camera_in_space, const image::Area& pane);
+  /// `pane` and which `moves` from another camera.
+  void begin(const Camera& camera_in_space, const image::Area& pane, bool moves = false);
 
   bool is_empty() const {
     return !X && opaque.vertices().empty() && translucent.vertices().empty();
