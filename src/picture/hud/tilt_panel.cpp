@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <span>
 
 #include "picture/hud/panel.h"
 #include "scene/prediction.h"
@@ -17,15 +19,21 @@ using Point = canvas::Canvas::Point;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double greatest_tilt = std::numbers::pi / 2;
-constexpr double faint_future = 0.35, grid_opacity = 0.22;
+constexpr double faint_future = 0.5, grid_opacity = 0.22;
 constexpr double dash_em = 0.55;      // length of a dash, and of the gap between two
 constexpr double scale_em = 2.6;      // width of the scale's numbers
 constexpr double plot_line_em = 1.5;  // height of a line of text
+constexpr double value_em = 1.3;      // size of the current value
+constexpr double least_value = 20;    // its least size in px, in a picture of 1080
+constexpr double tick_em = 0.7;       // height of a mark's tick
+constexpr double least_gap_em = 0.5;  // between two marks
+
+/// Tilts below this one, in rad, are only round-off.
+constexpr double round_off = 1e-9 * degree;
 
 /// Returns the bottom of the scale in rad: a power of ten in degrees, below the least tilt of the
-/// film. Tilts that are only round-off do not count.
+/// film.
 double bottom_of(const motion::Tilt& tilt, const std::vector<motion::Sample>& whole) {
-  constexpr double round_off = 1e-9 * degree;
   double least = degree;
   for (const motion::Sample& sample : whole) {
     const double value = tilt.of(sample);
@@ -41,9 +49,12 @@ std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt
   return fmt::format("of {}", scene::axis_name(principal.axes, tilt.axis()));
 }
 
+/// Round-off does not change the text from frame to frame: it is rounded up where it lies half way
+/// between two.
 std::string degrees_text(double tilt) {
-  const double value = tilt / degree;
-  if (value != 0 && value < 1e-3) return fmt::format("{:.0e}°", value);
+  if (tilt < round_off) return "0°";
+  const double value = tilt / degree * (1 + 1e-9);
+  if (value < 1e-3) return fmt::format("{:.0e}°", value);
   return fmt::format("{:.{}f}°", value, value < 0.1 ? 3 : value < 1 ? 2 : value < 10 ? 1 : 0);
 }
 
@@ -57,6 +68,8 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
       tilt_(solutions[0].body),
       duration_(scene.motion.duration),
       size_(layout.text.caption),
+      value_size_(std::max(value_em * size_,
+                           least_value / 1080 * std::min(scene.film.width, scene.film.height))),
       thickness_(std::max(1.0, 0.12 * size_)),
       least_(bottom_of(tilt_, solutions[0].whole)) {
   const image::Area area = panel_content(*layout.tilt, size_);
@@ -76,10 +89,13 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
   for (const motion::Sample& sample : solutions[0].whole) {
     points.push_back(place(sample.t, tilt_.of(sample)));
   }
-  future.polyline(points, thickness_, {colors.text, faint_future});
   past.polyline(points, thickness_, {colors.text});
-  draw_prediction(future);
-  draw_prediction(past);
+  draw_prediction(future, faint_future);
+  draw_prediction(past, 1);
+  marks_ = marks_of(solutions[0].whole, factor_);
+  if (!are_dense(marks_)) return;
+  factor_ = 10;
+  marks_ = marks_of(solutions[0].whole, factor_);
 }
 
 void TiltPanel::place_plot(const image::Area& area) {
@@ -115,8 +131,51 @@ void TiltPanel::draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typef
   }
 }
 
+/// Returns the times at which the tilt first reaches its value at the start, or the bottom of the
+/// scale, times each power of the factor.
+std::vector<TiltPanel::Mark> TiltPanel::marks_of(const std::vector<motion::Sample>& whole,
+                                                 double factor) const {
+  std::vector<Mark> marks;
+  const auto value = [&](const motion::Sample& sample) {
+    return std::max(tilt_.of(sample), least_);
+  };
+  double level = factor * value(whole.front());
+  for (std::size_t i = 1; i < whole.size(); ++i) {
+    const double before = value(whole[i - 1]), after = value(whole[i]);
+    for (; level <= after && level < greatest_tilt; level *= factor) {
+      const double share = std::log(level / before) / std::log(after / before);
+      marks.push_back({std::lerp(whole[i - 1].t, whole[i].t, share), level});
+    }
+  }
+  return marks;
+}
+
+bool TiltPanel::are_dense(const std::vector<Mark>& marks) const {
+  const auto is_near = [&](const Mark& one, const Mark& next) {
+    return place(next.time, 0).x - place(one.time, 0).x < least_gap_em * size_;
+  };
+  return std::ranges::adjacent_find(marks, is_near) != marks.end();
+}
+
+/// Draws the marks up to a time: ticks on the time axis and dots on the curve. The last one has the
+/// factor beside it.
+void TiltPanel::draw_marks(canvas::Canvas& canvas, double until) const {
+  const double bottom = plot_.y + plot_.height;
+  const auto end = std::ranges::upper_bound(marks_, until, {}, &Mark::time);
+  for (const auto& [time, tilt] : std::span(marks_.begin(), end)) {
+    const Point at = place(time, tilt);
+    canvas.rectangle(at.x - thickness_ / 2, bottom - tick_em * size_, thickness_, tick_em * size_,
+                     {colors_.text});
+    canvas.disc(at, 1.4 * thickness_, {colors_.momentum});
+  }
+  if (end == marks_.begin()) return;
+  const Point last = place(std::prev(end)->time, 0);
+  canvas.text(canvas::typeset(typeface_.regular, fmt::format("×{}", factor_)), size_,
+              {last.x + 0.3 * size_, bottom - 0.15 * size_}, {colors_.text});
+}
+
 /// Draws the predicted line, dashed, from t = 0 to where it leaves the plot.
-void TiltPanel::draw_prediction(canvas::Canvas& canvas) const {
+void TiltPanel::draw_prediction(canvas::Canvas& canvas, double opacity) const {
   const auto growth = tilt_.growth();
   if (!growth || !(growth->amplitude > 0)) return;
   const auto leaves = [&](double tilt) {
@@ -137,7 +196,7 @@ void TiltPanel::draw_prediction(canvas::Canvas& canvas) const {
       return {first.x + share * (last.x - first.x), first.y + share * (last.y - first.y)};
     };
     canvas.polyline(std::array{point(along), point(along + step)}, 0.8 * thickness_,
-                    {colors_.momentum});
+                    {colors_.momentum, opacity});
   }
 }
 
@@ -152,9 +211,9 @@ std::vector<Layer> TiltPanel::draw(const timeline::FrameState& state) {
             {left, plot_.y - margin, static_cast<int>(std::lround(now.x)) - left,
              plot_.height + 2 * margin});
   canvas::Canvas canvas(layer.image, layer.x, layer.y);
-  canvas.rectangle(now.x - thickness_ / 2, plot_.y, thickness_, plot_.height, {colors_.text, 0.5});
+  draw_marks(canvas, sample.t);
   canvas.disc(now, 2 * thickness_, {colors_.text});
-  canvas.text(canvas::typeset(typeface_.regular, degrees_text(tilt)), 1.3 * size_, value_,
+  canvas.text(canvas::typeset(typeface_.regular, degrees_text(tilt)), value_size_, value_,
               {colors_.text}, canvas::Canvas::Align::right);
   std::vector<Layer> layers;
   layers.push_back(std::move(layer));

@@ -49,18 +49,13 @@ class BodyView final : public View {
 
  private:
   void add_surroundings(const scene::Scene& scene);
-<<<<<<< HEAD
-  motion::RotatingFrame frame_at(const motion::Sample& sample) const;
-  timeline::SolutionState relative(timeline::SolutionState instant) const;
-  double shown_radius() const;
-=======
   Eigen::Matrix3d frame_at(const timeline::FrameState& state, double video_time,
                            const motion::Sample& sample) const;
   Eigen::Matrix3d camera_from_space(const timeline::FrameState& state, double video_time,
                                     const motion::Sample& sample) const;
   timeline::SolutionState relative(const timeline::FrameState& state) const;
   FixedStars::Turning turning_in_shutter(const timeline::FrameState& state) const;
->>>>>>> e755eadf (Move the camera between frames of reference in one take)
+  double shown_radius() const;
   Framing framing_of(const scene::Scene& scene, const timeline::Solution& solution) const;
 
   std::size_t solution_;

@@ -1,7 +1,10 @@
 #include "picture/hud/tilt_panel.h"
 
 #include <gtest/gtest.h>
+#include <twrench/motion/exact.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -79,6 +82,85 @@ TEST(TiltPanel, ShowsThePastInFullStrength) {
   };
   EXPECT_GT(bright(last, end.timeline.frame_state(0)),
             bright(first, start.timeline.frame_state(0)) + 200);
+}
+
+/// Returns whether a layer shows something brighter than that in a column of the panel's plot.
+int bright_columns(const std::vector<Layer>& layers, int from_x) {
+  int columns = 0;
+  for (const Layer& layer : layers) {
+    for (int x = std::max(0, from_x - layer.x); x < layer.image.width; ++x) {
+      bool bright = false;
+      for (int y = layer.image.height / 2; y < layer.image.height; ++y) {
+        const std::size_t pixel = static_cast<std::size_t>(y * layer.image.width + x);
+        bright = bright || layer.image.pixels[4 * pixel + 2] > 150;
+      }
+      columns += bright ? 1 : 0;
+    }
+  }
+  return columns;
+}
+
+TEST(TiltPanel, DrawsNothingOfTheFutureButThePrediction) {
+  const OverlayScene early(with_tilt({1, 1e-4, 0}), 100), late(with_tilt({1, 1e-4, 0}), 450);
+  TiltPanel panel = tilt_panel_of(early);
+  const auto now = [&](const OverlayScene& all) {
+    return panel.place(all.timeline.frame_state(0).solutions[0].sample.t, 1e-3).x;
+  };
+  const int after = static_cast<int>(now(early)) + 30;  // beside the mark
+  ASSERT_GT(now(late), after + 12);
+  EXPECT_EQ(bright_columns(panel.draw(early.timeline.frame_state(0)), after), 0);
+  EXPECT_GT(bright_columns(panel.draw(late.timeline.frame_state(0)), after), 12);
+}
+
+TEST(TiltPanel, MarksEachDoubling) {
+  scene::Scene scene = with_tilt({1, 0.001, 0}, 1920, 1080);
+  scene.motion.duration = 20;
+  const OverlayScene all(scene);
+  const TiltPanel panel = tilt_panel_of(all);
+  const motion::FreeBody body = all.timeline.solutions()[0].body;
+  const motion::Tilt tilt(body);
+  const double start = tilt.of(motion::ExactMotion(body).at(0));
+  ASSERT_GE(panel.marks().size(), 6U);
+  for (std::size_t i = 0; i < panel.marks().size(); ++i) {
+    const auto [time, value] = panel.marks()[i];
+    EXPECT_DOUBLE_EQ(value, start * std::exp2(i + 1));
+    EXPECT_NEAR(tilt.of(motion::ExactMotion(body).at(time)) / value, 1, 1e-3);
+  }
+  const double doubling = std::numbers::ln2 / tilt.growth()->rate;
+  EXPECT_NEAR(panel.marks()[5].time - panel.marks()[4].time, doubling, 0.02 * doubling);
+}
+
+TEST(TiltPanel, MarksFactorsOfTenWhereDoublingsAreTooDense) {
+  scene::Scene scene = with_tilt({1, 1e-8, 0}, 640, 360);
+  const OverlayScene all(scene);
+  ASSERT_TRUE(all.layout.tilt);
+  const TiltPanel panel = tilt_panel_of(all);
+  ASSERT_GE(panel.marks().size(), 6U);
+  EXPECT_NEAR(panel.marks()[3].tilt / panel.marks()[2].tilt, 10, 1e-9);
+}
+
+TEST(TiltPanel, MarksNothingIfTheTiltDoesNotGrow) {
+  for (const Eigen::Vector3d& omega : {Eigen::Vector3d(0, 0, 1), {0, 0, 0}}) {
+    const OverlayScene all(with_tilt(omega));
+    EXPECT_TRUE(tilt_panel_of(all).marks().empty());
+  }
+}
+
+TEST(TiltPanel, ShowsANumberThatRoundOffDoesNotChange) {
+  const OverlayScene all(with_tilt({0, 0, 1}));
+  TiltPanel panel = tilt_panel_of(all);
+  timeline::FrameState state = all.timeline.frame_state(0);
+  const motion::FreeBody body = all.timeline.solutions()[0].body;
+  const auto picture = [&](double angle) {
+    const Eigen::AngleAxisd tilted(angle, Eigen::Vector3d::UnitX());
+    state.solutions[0].sample.omega = body.inverse() * (tilted * body.momentum());
+    return panel.draw(state)[0].image.pixels;
+  };
+  EXPECT_EQ(picture(0), picture(1e-15));
+  EXPECT_EQ(picture(1e-15), picture(3e-16));
+  const double tie = 2.25 / 180 * std::numbers::pi;  // half way from 2.2 to 2.3 degrees
+  EXPECT_EQ(picture(tie - 1e-15), picture(tie + 1e-15));
+  EXPECT_NE(picture(tie), picture(1.1 * tie));
 }
 
 TEST(TiltPanel, IsDrawnInPicturesOfAnySize) {
