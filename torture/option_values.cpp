@@ -313,6 +313,7 @@ const std::map<std::string, Values>& known() {
       {"hide", words(features)},
       {"trail-point", lists({"1,2,3", "0,0,0"}, {"1e12,1e12,1e12"})},
       {"trail-length", numbers({"1", "5"}, {"1e6", "1e-9"})},
+      {"text-fade", numbers({"0", "0.5"}, {"1e6", "1e-9"})},
       {"star-trail", numbers({"0", "1.5"}, {"1000", "1e-9"})},
       {"font",
        {values({"sans", "mono"}),

@@ -217,6 +217,7 @@ class Scene:
     speed = _Value[float]()
     audio = _Audio()
     sound = _Value[SoundName]()
+    text_fade = _Value[Optional[float]]()
     theme = _Value[ThemeName]()
     samples = _Value[int]()
     motion_blur = _Value[int]()
@@ -268,6 +269,7 @@ class Scene:
         speed: float = UNSET,
         audio: StrPath | None = UNSET,
         sound: SoundName = UNSET,
+        text_fade: float = UNSET,
         theme: ThemeName = UNSET,
         samples: int = UNSET,
         motion_blur: int = UNSET,

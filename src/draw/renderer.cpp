@@ -78,8 +78,9 @@ struct Renderer::Parts {
     std::unique_ptr<Element> element;
     bool is_dimmed;
   };
-  std::vector<ShownView> views;                        // in compositing order
-  std::vector<ShownElement> elements;                  // over the views
+  std::vector<ShownView> views;        // in compositing order
+  std::vector<ShownElement> elements;  // over the views
+  std::optional<picture::Caption> caption;
   std::optional<picture::LabelPainter> label_painter;  // over both
   std::vector<image::Area> taken;                      // areas that labels avoid
   bool shows_body = false;
@@ -178,9 +179,7 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
   std::ranges::copy(text->extents(), std::back_inserter(taken));
   add(std::move(text), hud);
   if (layout.caption) {
-    elements.push_back(
-        {std::make_unique<picture::Caption>(*scene.caption, *layout.caption, typeface, colors),
-         false});
+    caption.emplace(*scene.caption, *layout.caption, typeface, colors);
     taken.push_back(layout.caption->area);
   }
 }
@@ -238,10 +237,20 @@ image::Frame Renderer::Parts::composited(Ingredients& drawn) {
     std::visit([&](auto&& layer) { add(layer, drawn_layer.is_dimmed); },
                drawn_layer.layer.finish());
   }
+  const double opacity = drawn.state.text_opacity;
+  const auto add_text = [&](std::vector<Layer> text, bool is_dimmed) {
+    for (Layer& layer : text) {
+      if (opacity < 1) scale_opacity(layer, opacity);
+      if (opacity > 0) add(layer, is_dimmed);
+    }
+  };
   for (const auto& [element, is_dimmed] : elements) {
-    for (Layer& layer : element->draw(drawn.state)) add(layer, is_dimmed);
+    add_text(element->draw(drawn.state), is_dimmed);
   }
-  for (Layer& layer : label_painter->paint(drawn.labels)) add(layer, false);
+  if (caption) {
+    for (Layer& layer : caption->draw(drawn.state)) add(layer, false);
+  }
+  add_text(label_painter->paint(drawn.labels), false);
   if (frame.image.channels == 4) {
     picture::unpremultiply(frame.image, {0, 0, frame.image.width, frame.image.height});
   }

@@ -365,6 +365,11 @@ const std::vector<Field>& fields() {
       choice<Sound>(
           {"film", "sound", "NAME", "sound that is synthesised"},
           [](auto& s) -> auto& { return s.film.sound; }),
+      complete<number>(
+          {"film", "text_fade", "S",
+           "seconds of video before the end of a shot in which its text fades out",
+           "text stays to the end"},
+          within(limits::shot_transition), [](auto& s) -> auto& { return s.film.text_fade; }),
 
       choice<Theme>(
           {"look", "theme", "NAME", "theme"}, [](auto& s) -> auto& { return s.look.theme; }),

@@ -134,6 +134,8 @@ struct Film {
   SoundFile audio = {};
   /// The sound that is synthesised.
   Sound sound = Sound::none;
+  /// Seconds of video before the end of a shot in which its text fades out; nothing if it stays.
+  std::optional<double> text_fade = {};
 
   /// Returns the time of the motion in s for a frame: frame * speed / fps, never accumulated.
   double time_of(int frame) const { return frame * speed / fps; }

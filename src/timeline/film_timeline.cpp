@@ -13,6 +13,12 @@ double share_of(double time, double length) {
   return time >= length ? 1 : smooth_share(time / length);
 }
 
+/// Returns whether a shot shows the text of the previous one as well, and of the same motion.
+bool shows_same_text(const scene::Shot& shot, const scene::Shot& previous) {
+  const scene::Overlay &own = shot.scene.overlay, &before = previous.scene.overlay;
+  return shot.continues && own.view == before.view && std::ranges::includes(own.show, before.show);
+}
+
 /// Returns the clock of a shot; none in a film without shots.
 Clock clock_of(const scene::Scene& film, std::size_t shot) {
   if (film.shots.empty()) return {};
@@ -65,7 +71,8 @@ std::vector<double> motion_times(const scene::Scene& film) {
 }
 
 FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& frames,
-                           const std::atomic<bool>* stop) {
+                           const std::atomic<bool>* stop)
+    : text_fade_(film.film.text_fade) {
   scene::check_shown_motion(film);
   const Clocks clocks(film);
   std::map<std::size_t, std::vector<FrameTime>> times;  // of each shot
@@ -97,9 +104,10 @@ FilmTimeline::FilmTimeline(const scene::Scene& film, const std::vector<int>& fra
   for (const auto& [shot, of] : times) {
     if (shot > 0 && film.shots[shot].move > 0) moves_[shot] = move_of(film, shot);
   }
-  for (std::size_t i = 0; i < film.shots.size(); ++i) {
-    caption_stays_.push_back(i > 0 &&
-                             film.shots[i].scene.caption == film.shots[i - 1].scene.caption);
+  for (std::size_t i = 1; i < film.shots.size(); ++i) {
+    const scene::Shot &previous = film.shots[i - 1], &shot = film.shots[i];
+    text_ends_.push_back({*previous.scene.length, shot.scene.caption != previous.scene.caption,
+                          shot.fade > 0 && !shows_same_text(shot, previous)});
   }
 }
 
@@ -136,11 +144,23 @@ FilmFrame FilmTimeline::frame(std::size_t index) const {
       frame.previous->move_time = frame.state.video_time;
     }
   }
-  if (faded < 1 && !caption_stays_[own.shot]) {  // one caption disappears before the next appears
+  if (faded < 1 && text_ends_[own.shot - 1].caption_leaves) {
+    // One caption disappears before the next appears.
     frame.state.caption_opacity = std::max(0.0, 2 * faded - 1);
     frame.previous->caption_opacity = std::max(0.0, 1 - 2 * faded);
   }
+  fade_text(own.shot, frame.state);
+  if (previous) fade_text(previous->shot, *frame.previous);
   return frame;
+}
+
+/// Fades the text that leaves at the end of the shot.
+void FilmTimeline::fade_text(std::size_t shot, FrameState& state) const {
+  if (!text_fade_ || shot >= text_ends_.size()) return;
+  const auto& [end, caption_leaves, text_leaves] = text_ends_[shot];
+  const double left = 1 - share_of(state.video_time - (end - *text_fade_), *text_fade_);
+  if (caption_leaves) state.caption_opacity = std::min(state.caption_opacity, left);
+  if (text_leaves) state.text_opacity = left;
 }
 
 }  // namespace twrench::timeline

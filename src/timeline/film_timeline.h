@@ -79,7 +79,16 @@ class FilmTimeline {
   std::map<std::size_t, Timeline> timelines_;  ///< By the index of the shot.
   /// By the index of the shot; only of shots that start with a move.
   std::map<std::size_t, std::shared_ptr<const CameraMove>> moves_;
-  std::vector<bool> caption_stays_;  ///< For each shot, whether the previous has the same caption.
+  /// What happens to the text of a shot at its end.
+  struct TextEnd {
+    double time;          ///< The end of the shot, in s.
+    bool caption_leaves;  ///< Whether the next shot has another caption.
+    bool text_leaves;     ///< Whether the next shot fades in with other text.
+  };
+  void fade_text(std::size_t shot, FrameState& state) const;
+
+  std::vector<TextEnd> text_ends_;   ///< For each shot but the last.
+  std::optional<double> text_fade_;  ///< That of the film, in s.
 };
 
 }  // namespace twrench::timeline

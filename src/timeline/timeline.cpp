@@ -259,7 +259,7 @@ FlipsSoFar Timeline::flips(std::size_t index) const {
 }
 
 FrameState Timeline::frame_state(std::size_t index) const {
-  FrameState state{frames_[index].frame, frames_[index].video_time, 1, {}};
+  FrameState state{frames_[index].frame, frames_[index].video_time, 1, 1, {}};
   for (std::size_t i = 0; i < solutions_.size(); ++i) {
     const Solution& solution = solutions_[i];
     const Record& record = records_[i];

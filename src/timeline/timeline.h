@@ -87,6 +87,8 @@ struct FrameState {
   double video_time = 0.0;
   /// Opacity of the caption.
   double caption_opacity = 1.0;
+  /// Opacity of the panels, readouts and names.
+  double text_opacity = 1.0;
   /// The state of each motion.
   std::vector<SolutionState> solutions;
   /// Times like video_time, oldest first and ending with it, through which the trails of the stars

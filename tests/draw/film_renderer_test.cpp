@@ -128,6 +128,26 @@ TEST_F(FilmRendererTest, FadesFromThePreviousShot) {
   EXPECT_NE(middle.pixels, drawn(after, 5).image.pixels);
 }
 
+TEST_F(FilmRendererTest, ShowsNoTextOfThePreviousShotInAFade) {
+  scene::Scene film = film_of_shots();
+  for (scene::Shot& shot : film.shots) {
+    shot.scene.film.width = 640;
+    shot.scene.film.height = 360;
+  }
+  film.film.width = 640;
+  film.film.height = 360;
+  film.shots[1].scene.overlay.show = {scene::Feature::hud, scene::Feature::axes};
+  film.film.text_fade = 0.5;
+  film.shots[1].scene.title = "One text";
+  scene::Scene other = film;
+  other.shots[1].scene.title = "Two text";
+  const auto shown = [&](const scene::Scene& of, int frame) { return drawn(of, frame).image; };
+  EXPECT_NE(shown(film, 9).pixels, shown(other, 9).pixels);
+  EXPECT_NE(shown(film, 11).pixels, shown(other, 11).pixels);
+  EXPECT_EQ(shown(film, 12).pixels, shown(other, 12).pixels);
+  EXPECT_EQ(shown(film, 13).pixels, shown(other, 13).pixels);
+}
+
 TEST_F(FilmRendererTest, MovesTheCameraOfBothShots) {
   const scene::Scene scene = film_of_shots();
   FilmRenderer renderer(*context, scene);

@@ -37,7 +37,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         "title": "Another", "omega": (2.0, 0.1, 0.0), "attitude": (0.5, 0.5, -0.5, 0.5),
         "wheel": (1.0, 2.0, 3.0), "energy_loss_time": 500.0, "method": "rkmk4", "step": 0.02,
         "tolerance": 1e-8, "duration": 12.0, "size": (320, 200), "fps": 24.0, "speed": 2.0,
-        "audio": "tone.wav", "sound": "motion",
+        "audio": "tone.wav", "sound": "motion", "text_fade": 0.5,
         "theme": "paper", "samples": 4, "motion_blur": 2, "background": "#102030",
         "color": "#ff8800", "metallic": 0.25, "roughness": 0.5, "azimuth": 0.5, "elevation": 0.1,
         "distance": 1.5, "orbit": 0.1, "field_of_view": 0.7, "view": "quad",

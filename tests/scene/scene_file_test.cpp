@@ -91,6 +91,7 @@ duration = 12
 [film]
 size = [640, 360]
 fps = 25
+text_fade = 0.4
 speed = 2
 [look]
 theme = "paper"
@@ -134,6 +135,7 @@ TEST(SceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.film.width, 640);
   EXPECT_EQ(scene.film.height, 360);
   EXPECT_EQ(scene.film.fps, 25);
+  EXPECT_EQ(scene.film.text_fade, 0.4);
   EXPECT_EQ(scene.film.speed, 2);
   EXPECT_EQ(scene.look.samples, 1);
   EXPECT_EQ(scene.look.theme, Theme::paper);

@@ -128,6 +128,29 @@ TEST(FilmTimeline, OneCaptionGoesBeforeAnotherComes) {
   EXPECT_EQ(film.frame(52).previous->caption_opacity, 1);
 }
 
+TEST(FilmTimeline, TextLeavesBeforeTheEndOfItsShot) {
+  scene::Scene scene = story_of_three();
+  scene.film.text_fade = 0.4;
+  const FilmTimeline film(scene, frames_of_all_shots(scene));
+  EXPECT_EQ(film.frame(16).state.caption_opacity, 1);
+  EXPECT_NEAR(film.frame(18).state.caption_opacity, 0.5, 1e-12);
+  EXPECT_NEAR(film.frame(19).state.caption_opacity, 0.15625, 1e-12);
+  for (int i = 20; i < 30; ++i) {
+    EXPECT_EQ(film.frame(static_cast<std::size_t>(i)).previous->caption_opacity, 0) << i;
+  }
+  EXPECT_EQ(film.frame(48).state.caption_opacity, 1) << "the same caption stays";
+  // The second shot shows the text of the first, and the third that of another time.
+  EXPECT_EQ(film.frame(19).state.text_opacity, 1);
+  EXPECT_EQ(film.frame(25).previous->text_opacity, 1);
+  EXPECT_NEAR(film.frame(48).state.text_opacity, 0.5, 1e-12);
+  EXPECT_EQ(film.frame(52).previous->text_opacity, 0);
+  EXPECT_EQ(film.frame(59).state.text_opacity, 1) << "the film's last text stays";
+  scene.shots[2].fade = 0;
+  EXPECT_EQ(FilmTimeline(scene, {49}).frame(0).state.text_opacity, 1) << "before a cut";
+  scene.shots[1].scene.overlay.show.clear();
+  EXPECT_LT(FilmTimeline(scene, {19}).frame(0).state.text_opacity, 1) << "without the first's";
+}
+
 TEST(FilmTimeline, AFrameDoesNotDependOnTheOthers) {
   const scene::Scene scene = story_of_three();
   const FilmTimeline whole(scene, frames_of_all_shots(scene));
