@@ -79,7 +79,7 @@ class FilmTimeline {
   std::map<std::size_t, Timeline> timelines_;  ///< By the index of the shot.
   /// By the index of the shot; only of shots that start with a move.
   std::map<std::size_t, std::shared_ptr<const CameraMove>> moves_;
-  /// What happens to the text of a shot at its end.
+  /// The end of a shot, and whether its text fades out before it.
   struct TextEnd {
     double time;          ///< The end of the shot, in s.
     bool caption_leaves;  ///< Whether the next shot has another caption.

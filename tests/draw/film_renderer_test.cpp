@@ -253,7 +253,7 @@ TEST_F(FilmRendererTest, TurnsStarsAsTheCameraOfEarlierFramesSawThem) {
     scene::Scene film = film_of_frames(frame, 1, "omega = [0.3, 0.02, 0]");
     for (scene::Shot& shot : film.shots) {
       shot.scene.overlay.star_trail = 1.6;  // 32 steps of 1 / 20 s
-      shot.scene.camera.orbit = 0.2;
+      shot.scene.camera.orbit = 0.1;
     }
     FilmRenderer renderer(*context, film);
     const timeline::FilmTimeline timeline(film, every_frame(film));
