@@ -14,6 +14,7 @@
 #include "scene/interior.h"
 #include "timeline/film_timeline.h"
 #include "timeline/reference_frame.h"
+#include "timeline/smooth_share.h"
 #include "timeline/timeline.h"
 
 namespace twrench::sound {
@@ -30,6 +31,8 @@ struct Span {
   const scene::Scene& scene;
   const scene::Shot* shot;  ///< Null in a film without shots.
   double begin, end;        ///< In s of film.
+  /// The frame of reference from which the camera moves to that of the scene, if it differs.
+  scene::Frame from;
 
   /// Returns the time of the motion in s.
   double motion_time(double film_time) const {
@@ -55,11 +58,16 @@ struct Span {
 
 std::vector<Span> spans_of(const scene::Scene& film) {
   const double fps = film.film.fps;
-  if (film.shots.empty()) return {{film, nullptr, 0, film.frame_count() / fps}};
+  if (film.shots.empty()) {
+    return {{film, nullptr, 0, film.frame_count() / fps, film.camera.frame}};
+  }
   const std::vector<int> first = scene::first_frames(film);
   std::vector<Span> spans;
   for (std::size_t i = 0; i < film.shots.size(); ++i) {
-    spans.push_back({film.shots[i].scene, &film.shots[i], first[i] / fps, first[i + 1] / fps});
+    const scene::Frame own = film.shots[i].scene.camera.frame;
+    spans.push_back(
+        {film.shots[i].scene, &film.shots[i], first[i] / fps, first[i + 1] / fps,
+         timeline::changes_frame(film, i) ? film.shots[i - 1].scene.camera.frame : own});
   }
   return spans;
 }
@@ -100,14 +108,22 @@ const timeline::Solution& heard(const std::vector<timeline::Solution>& solutions
   return flipping == solutions.end() ? solutions.front() : *flipping;
 }
 
-/// Returns the angular velocity of the body relative to the camera, in body axes, in rad per second
-/// of film. The camera orbits about the y axis of its frame.
-Vector3d relative_rate(const Span& span, const motion::FreeBody& body, const motion::Sample& sample,
-                       double speed) {
+/// Returns the angular velocity of the camera in space, in rad per second of film. The camera
+/// orbits about the y axis of its frame.
+Vector3d camera_rate(const Span& span, const motion::FreeBody& body, const motion::Sample& sample,
+                     double film_time) {
   const scene::CameraPath& camera = span.scene.camera;
-  const motion::RotatingFrame frame = timeline::reference_frame(camera.frame, body, sample);
-  const Vector3d of_frame = speed * frame.omega + camera.orbit * Vector3d::UnitY();
-  return speed * sample.omega - sample.X.transpose() * (frame.attitude * of_frame);
+  const auto frame_rate = [&](scene::Frame frame) -> Vector3d {
+    const motion::RotatingFrame turning = timeline::reference_frame(frame, body, sample);
+    return span.speed(film_time) * (turning.attitude * turning.omega);
+  };
+  const Matrix3d attitude = timeline::reference_frame(camera.frame, body, sample).attitude;
+  Vector3d rate = frame_rate(camera.frame);
+  if (span.from != camera.frame) {
+    const double share = timeline::smooth_share((film_time - span.begin) / span.shot->move);
+    rate = (1 - share) * frame_rate(span.from) + share * rate;
+  }
+  return rate + camera.orbit * attitude.col(1);
 }
 
 /// Appends the speeds and the flips of a span. The speeds are those of the film times k / rate
@@ -124,8 +140,9 @@ void append(MotionCourse& course, const Span& span, const std::atomic<bool>* sto
       solution.body, *solution.method, solution.control, count,
       [&](std::size_t i) { return span.motion_time(film_time(i)); },
       [&](const motion::Sample& sample) {
-        const double speed = span.speed(double(course.speeds.size()) / course.rate);
-        const Vector3d w = relative_rate(span, solution.body, sample, speed);
+        const double time = double(course.speeds.size()) / course.rate;
+        const Vector3d w = span.speed(time) * sample.omega -
+                           sample.X.transpose() * camera_rate(span, solution.body, sample, time);
         constexpr double fastest = 1e6;
         course.speeds.push_back(
             static_cast<float>(std::min(std::sqrt(std::max(0.0, w.dot(M * w))), fastest)));

@@ -25,13 +25,6 @@ Clock clock_of(const scene::Scene& film, std::size_t shot) {
   return [of = film.shots[shot]](double time) { return of.time_of(time); };
 }
 
-/// Returns whether the camera moves to another frame of reference while the motion goes on.
-bool changes_frame(const scene::Scene& film, std::size_t shot) {
-  const scene::Shot& own = film.shots[shot];
-  return own.move > 0 && own.continues &&
-         own.scene.camera.frame != film.shots[shot - 1].scene.camera.frame;
-}
-
 /// Finds the shot of each frame, and the frame's time in that shot.
 class Clocks {
  public:
@@ -61,6 +54,12 @@ class Clocks {
 
 const scene::Scene& scene_of_shot(const scene::Scene& film, std::size_t shot) {
   return film.shots.empty() ? film : film.shots[shot].scene;
+}
+
+bool changes_frame(const scene::Scene& film, std::size_t shot) {
+  const scene::Shot& own = film.shots[shot];
+  return own.move > 0 && own.continues &&
+         own.scene.camera.frame != film.shots[shot - 1].scene.camera.frame;
 }
 
 std::vector<double> motion_times(const scene::Scene& film) {

@@ -29,6 +29,10 @@ struct FilmFrame {
 /// Returns the scene of the shot with that index: the film itself, if it has no shots.
 const scene::Scene& scene_of_shot(const scene::Scene& film, std::size_t shot);
 
+/// Returns whether the camera of a shot moves from another frame of reference while the motion of
+/// the previous shot goes on.
+bool changes_frame(const scene::Scene& film, std::size_t shot);
+
 /// Returns the time in s of the motion that each frame of the film shows.
 std::vector<double> motion_times(const scene::Scene& film);
 

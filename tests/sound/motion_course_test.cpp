@@ -67,6 +67,21 @@ TEST(MotionCourse, IsRelativeToTheCamera) {
               2 * course_of(body + "orbit = 0").speeds[100], 1e-6);
 }
 
+TEST(MotionCourse, FollowsTheCameraToAnotherFrameOfReference) {
+  const MotionCourse course = course_of(
+      "[[part]]\nshape = \"box\"\nsize = [20, 2, 1]\ndensity = 1\n[motion]\nomega = [0, 1, 0]\n"
+      "[film]\nspeed = 2\n[[shot]]\nlength = 3\n"
+      "[[shot]]\nlength = 3\nmove = 2\n[shot.camera]\nframe = \"body\"\n");
+  const double in_space = course.speeds[100];
+  EXPECT_GT(in_space, 1);
+  EXPECT_NEAR(course.speeds[300], in_space, 1e-6) << "the camera is still at rest";
+  EXPECT_NEAR(course.speeds[400], in_space / 2, 1e-6);
+  EXPECT_NEAR(course.speeds[500], 0, 1e-6) << "it turns with the body";
+  for (std::size_t i = 1; i < course.speeds.size(); ++i) {
+    EXPECT_LT(std::abs(course.speeds[i] - course.speeds[i - 1]), 0.01 * in_space) << i;
+  }
+}
+
 TEST(MotionCourse, TakesShotsOfEveryLength) {
   // In the second film, rounding places the first speed of the second shot before its start.
   for (const auto& [first, second] : {std::pair{0.03, 0.07}, {2001.0, 8004.0}}) {
