@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "scene/limits.h"
 #include "study/reference.h"
@@ -74,15 +76,27 @@ std::string rounded(double value) {
   return is_whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
 
-/// "x, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its moment of
-/// inertia; otherwise omega.
+/// ", middle" if one of the moments about the body's axes is smaller than that about `axis` and the
+/// other greater, and likewise for the least and the greatest; nothing if two are equal.
+std::string_view rank_of(Eigen::Index axis, const Eigen::Vector3d& moments) {
+  constexpr double equal = 1e-6;
+  const double own = moments[axis];
+  const auto differing = (moments.array() - own).abs() > equal * own;
+  if (differing.count() < 2) return "";
+  constexpr std::array<std::string_view, 3> names{", least", ", middle", ", greatest"};
+  return names.at(static_cast<std::size_t>((moments.array() < own).count()));
+}
+
+/// "x, middle, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its
+/// moment of inertia; otherwise omega.
 std::string name_of_start(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia) {
   Eigen::Index axis = 0;
   constexpr double near = 0.95;
   if (omega.isZero(0.0) || omega.cwiseAbs().maxCoeff(&axis) < near * omega.norm()) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
   }
-  return fmt::format("{}, {} g cm²", "xyz"[axis], rounded(inertia(axis, axis)));
+  return fmt::format("{}{}, {} g cm²", "xyz"[axis], rank_of(axis, inertia.diagonal()),
+                     rounded(inertia(axis, axis)));
 }
 
 /// "h 300 g cm²/s" for a wheel along a body axis, because a legend is narrow; "no wheel".

@@ -290,11 +290,14 @@ TEST(FilmTimeline, ShowsMotionsFromDifferentStartsSideBySide) {
   const FilmTimeline film(scene, {5});
   const auto& solutions = film.solutions(0);
   ASSERT_EQ(solutions.size(), 3u);
-  EXPECT_EQ(solutions[0].name, "y, 4 g cm²");
-  EXPECT_EQ(solutions[1].name, "x, 3 g cm²");
+  EXPECT_EQ(solutions[0].name, "y, middle, 4 g cm²");
+  EXPECT_EQ(solutions[1].name, "x, least, 3 g cm²");
   EXPECT_EQ(solutions[2].name, "(0.5, 0.5, 0) rad/s");
   EXPECT_EQ(solutions[1].body.omega(), Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(film.frame(0).state.solutions.size(), 3u);
+
+  scene.body = {{}, Eigen::Vector3d(4, 4, 5).asDiagonal().toDenseMatrix()};
+  EXPECT_EQ(FilmTimeline(scene, {5}).solutions(0)[0].name, "y, 4 g cm²") << "two are equal";
 }
 
 }  // namespace
