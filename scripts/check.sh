@@ -54,7 +54,7 @@ test_under_asan() {
   repeated+=':Scenes/Task5.*:Study.SeesTheOrderOfEveryMethod:ContentsOfViews.AreTheGoldenNumbers'
   # Tests that are registered one by one have their own filter.
   local one_by_one="^Scales/RandomBody|^All/BuiltInScene.*/($alike) |^Report(OfTasks)?[.]"
-  one_by_one+='|^Commands/GoldenText.*/report |^Interior.AWheelOfAnySpeed'
+  one_by_one+='|^Commands/GoldenText.*/report |^Interior.AWheelOfAnySpeed|^Page.WritesAllBuiltInScenes'
   "${launcher[@]}" scripts/build.sh --tests asan
   GTEST_FILTER="*-$repeated" run_tests asan --exclude-regex "$one_by_one"
 }

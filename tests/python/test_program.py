@@ -145,18 +145,19 @@ def test_a_page_is_that_of_the_program(program, tmp_path, template, lab, options
     assert mine.read_bytes() == theirs.read_bytes()
 
 
-def test_the_pages_of_all_scenes_are_those_of_the_program(program, tmp_path, template):
-    mine, theirs = tmp_path / "new" / "mine", tmp_path / "theirs"
+def test_the_pages_of_all_scenes_are_as_of_the_program(program, tmp_path, template):
+    mine, theirs = tmp_path / "new" / "mine", tmp_path / "theirs.html"
     index = twrench.pages(mine, template=template, theme="paper")
-    program("page", "--all", "--theme", "paper", "--template", template, "-o", theirs)
-    assert index == mine / "index.html" and len(list(mine.iterdir())) == len(twrench.scenes()) + 1
-    for file in theirs.iterdir():
-        assert (mine / file.name).read_bytes() == file.read_bytes(), file.name
+    assert index == mine / "index.html"
+    assert {file.stem for file in mine.iterdir()} == {"index", *twrench.scenes()}
+    for name in ("dzhanibekov", "wing-nut", "explain"):  # the others take the same paths
+        program("page", name, "--theme", "paper", "--template", template, "-o", theirs)
+        assert (mine / f"{name}.html").read_bytes() == theirs.read_bytes(), name
     with pytest.raises(twrench.UsageError, match="^attitude"):
         twrench.pages(tmp_path / "turned", template=template, attitude=(0.5, 0.5, 0.5, 0.5))
     with pytest.raises(twrench.FileError, match="template.html"):
         twrench.pages(template, template=template)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["new", "template.html", "theirs"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["new", "template.html", "theirs.html"]
 
 
 def without_times(content: bytes) -> str:
