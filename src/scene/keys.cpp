@@ -190,7 +190,9 @@ const std::vector<Key>& shot_keys() {
        .form = {text},
        .otherwise = "none"},
       {.name = "start",
-       .help = "time of the motion at the start of the shot, s",
+       .help =
+           "time of the motion at the start of the shot, s, or \"match\": the time at which the "
+           "body is seen most nearly as the previous shot ended",
        .form = {number, limits::shot_start},
        .otherwise = "the end of the previous shot of the same motion, or 0"},
   };

@@ -51,6 +51,9 @@ const std::vector<Key>& body_keys();
 /// Returns the keys of [[shot]] that are neither tables nor arrays of tables.
 const std::vector<Key>& shot_keys();
 
+/// The `start` of a shot that shows the body as the previous one ended.
+inline constexpr const char* match_name = "match";
+
 /// The tables of fields that a shot may have. The fields of the others are the film's.
 inline constexpr std::array field_tables_of_shots{"motion", "look", "camera", "overlay"};
 

@@ -193,6 +193,14 @@ ordered_json shot_speed_schema() {
           {"anyOf", {number, array_schema(pair, 1, std::nullopt)}}};
 }
 
+/// A time, or the name of the time at which the shot matches the previous one.
+ordered_json shot_start_schema() {
+  ordered_json schema = key_schema(key_named(shot_keys(), "start"));
+  return {
+      {"description", schema["description"]},
+      {"anyOf", {with_limit({{"type", "number"}}, limits::shot_start), {{"const", match_name}}}}};
+}
+
 /// The keys of a table that a shot may have. The font is the film's.
 ordered_json fields_of_shots(const std::string& table) {
   ordered_json properties = ordered_json::object();
@@ -211,6 +219,7 @@ void add_body_properties(ordered_json& properties) {
 ordered_json shot_schema() {
   ordered_json properties = key_properties(shot_keys());
   properties["speed"] = shot_speed_schema();
+  properties["start"] = shot_start_schema();
   add_body_properties(properties);
   for (const char* table : field_tables_of_shots) {
     properties[table] =

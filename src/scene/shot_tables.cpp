@@ -9,6 +9,7 @@
 
 #include "scene/keys.h"
 #include "scene/limits.h"
+#include "scene/match_cut.h"
 #include "scene/natural_times.h"
 #include "scene/scene_tables.h"
 
@@ -102,6 +103,7 @@ class ShotReader {
   };
 
   double read_transition(TomlTable& table, const std::string& key, double length) const;
+  double read_start(TomlTable& table, const Scene& shot, double duration) const;
   bool continues(const Shot& shot) const;
   std::size_t motion_of(const Scene& shot);
 
@@ -137,6 +139,28 @@ std::size_t ShotReader::motion_of(const Scene& shot) {
   return motions_.size() - 1;
 }
 
+/// The time in s of the motion, the last in motion_of_shot_, at the start of the shot. A shot that
+/// matches the previous one starts within `duration` s.
+double ShotReader::read_start(TomlTable& table, const Scene& shot, double duration) const {
+  const std::string place = table.place("start");
+  if (!table.is_text("start")) {
+    const auto start = table.value("start", ValueForm::Kind::number);
+    return start ? limits::check(limits::shot_start, place, start->get<double>())
+                 : motions_[motion_of_shot_.back()].end;
+  }
+  const std::string word = table.required_text("start");
+  if (word != match_name) {
+    throw InvalidArgument(place,
+                          fmt::format("is '{}', but must be a number or '{}'", word, match_name));
+  }
+  if (shots_.empty() || !shows_one_body(shot) || !shows_one_body(shots_.back().scene)) {
+    throw InvalidArgument(place, fmt::format("'{}' needs this shot and a previous one to show one "
+                                             "body each, in the view 'wrench'",
+                                             match_name));
+  }
+  return match_time(shot, duration, shots_.back());
+}
+
 /// Returns whether the shot, the last in motion_of_shot_, continues the motion of the last in
 /// shots_ with the same method.
 bool ShotReader::continues(const Shot& shot) const {
@@ -162,6 +186,7 @@ void ShotReader::read(TomlTable& table) {
   const double duration = read_scene(table, shot.scene, film_, meshes_);
   require_interior(table, shot.scene);
   set_natural_times(shot.scene);
+  const double searched = shot.scene.motion.duration;
   shot.scene.motion.duration = duration;
   parts_ += shot.scene.body.parts.size();
   if (parts_ > limits::max_parts_of_shots) {
@@ -180,11 +205,8 @@ void ShotReader::read(TomlTable& table) {
   if (narration) shot.narration = meshes_.sound(narration->get<std::string>());
   shot.scene.origins.duration = shot.scene.origins.speed = Origin::scene;
   motion_of_shot_.push_back(motion_of(shot.scene));
-  const auto start = table.value("start", ValueForm::Kind::number);
-  double& end = motions_[motion_of_shot_.back()].end;
-  shot.start =
-      start ? limits::check(limits::shot_start, table.place("start"), start->get<double>()) : end;
-  end = shot.time_of(length);
+  shot.start = read_start(table, shot.scene, searched);
+  motions_[motion_of_shot_.back()].end = shot.time_of(length);
   shot.continues = continues(shot);
   shots_.push_back(std::move(shot));
 }

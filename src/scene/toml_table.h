@@ -27,6 +27,9 @@ class TomlTable {
 
   bool has(const std::string& key) const { return table_.contains(key); }
 
+  /// Returns whether the value is a string.
+  bool is_text(const std::string& key) const { return table_[key].is_string(); }
+
   /// Returns the value in the form of `kind`, or nothing if the key is absent.
   std::optional<nlohmann::ordered_json> value(const std::string& key, ValueForm::Kind kind);
 

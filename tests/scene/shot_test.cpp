@@ -128,6 +128,30 @@ TEST(Shots, KnowWhetherTheyContinueThePreviousOne) {
   EXPECT_FALSE(second_continues("[shot.motion]\nomega = [1, 0.06, 0]"));
 }
 
+/// The start of a shot with `start = "match"` after one of 2 s of a steady rotation about y at 2
+/// rad per second of video.
+double start_of_match(const std::string& shot) {
+  const std::string rotation =
+      "[body]\nmoments = [3, 4, 5]\n[motion]\nomega = [0, 1, 0]\nmethod = 'exact'\nduration = 50\n"
+      "[film]\nspeed = 2\n[overlay]\nshow = []\n[[shot]]\nlength = 2\n"
+      "[[shot]]\nlength = 1\nstart = 'match'\n";
+  return parse_scene(rotation + shot, "match.toml").shots[1].start;
+}
+
+TEST(Shots, MatchTheAttitudeInWhichThePreviousOneEnded) {
+  EXPECT_NEAR(start_of_match(""), 4, 1e-3);
+  EXPECT_NEAR(start_of_match("[shot.camera]\nazimuth = 1"), 5, 1e-3) << "the body has turned too";
+  EXPECT_NEAR(start_of_match("[shot.camera]\nazimuth = -1"), 3, 1e-3);
+  EXPECT_NEAR(start_of_match("[shot.motion]\nomega = [0, 0.5, 0]"), 8, 2e-3);
+  EXPECT_NEAR(start_of_match("[shot.motion]\nomega = [0, 2, 0]\nduration = 1"), 1, 1e-3)
+      << "the nearest within its duration";
+  EXPECT_EQ(start_of_match("[shot.camera]\nframe = 'body'"), 0) << "it always looks alike";
+  EXPECT_EQ(start_of_match("[shot.camera]\nframe = 'rotating'"), 0);
+  // From above or from the side, a body that turns about the vertical looks different.
+  const double start = start_of_match("[shot.camera]\nelevation = 1.2");
+  EXPECT_NEAR(start, 4, 1e-3);
+}
+
 TEST(Shots, HaveMotionsAsLongAsAnyOfThemNeeds) {
   const Scene scene = parse_scene(story, "story.toml");
   for (const std::size_t same : {0U, 1U, 3U}) {
@@ -238,6 +262,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadShot{"length = 5\nmove = 1\n[shot.overlay]\ncompare = ['rk4', 'exact']",
                 "17: shot[1].move", "one body each"},
         BadShot{"length = 5\nstart = -1", "17: shot[1].start", "is -1"},
+        BadShot{"length = 5\nstart = 'mach'", "17: shot[1].start", "is 'mach', but must be"},
+        BadShot{"length = 5\nstart = 'match'\n[shot.overlay]\nview = 'momentum'",
+                "17: shot[1].start", "one body each"},
         BadShot{"length = 5\ncaption = 7", "17: shot[1].caption", "string"},
         BadShot{"length = 5\n[[shot.shot]]\nlength = 1", "17: shot[1]", "'shot'"},
         BadShot{"length = 5\n[shot.film]\nfps = 3", "17: shot[1]", "'film'"},
@@ -263,6 +290,15 @@ TEST(Shots, TheFirstFollowsNoOther) {
     } catch (const InvalidArgument& error) {
       EXPECT_THAT(error.what(), HasSubstr(fmt::format("bad.toml:13: shot[0].{}", key)));
     }
+  }
+}
+
+TEST(Shots, TheFirstMatchesNoOther) {
+  try {
+    parse_scene(film + "[[shot]]\nlength = 2\nstart = 'match'", "bad.toml");
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bad.toml:13: shot[0].start: 'match' needs"));
   }
 }
 

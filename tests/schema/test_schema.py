@@ -95,6 +95,7 @@ BAD_SCENES = {
     "speed of a single number in a pair": (SHOT + "speed = [[0]]", "speed"),
     "speed negative in a pair": (SHOT + "speed = [[0, -1]]", "speed"),
     "start negative": (SHOT + "start = -1", "start"),
+    "start of another word": (SHOT + "start = 'mach'", "start"),
     "film in a shot": (SHOT + "[shot.film]\nfps = 30", "film"),
     "font in a shot": (SHOT + "[shot.overlay]\nfont = 'mono'", "font"),
     "unknown key in a shot": (SHOT + "[shot.camera]\nazimut = 1", "azimut"),
