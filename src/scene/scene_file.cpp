@@ -76,7 +76,7 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 
 std::vector<std::string> builtin_scene_names() {
   return {"dzhanibekov", "calm",       "stable-y", "stable-z",   "sphere",        "tao-disk",
-          "explain",     "explain-nb", "t-handle", "wing-nut",   "tennis-racket", "phone",
+          "explain",     "explain-nb", "explain-short", "t-handle", "wing-nut",   "tennis-racket", "phone",
           "book",        "hammer",     "toutatis", "explorer-1", "dual-spin",     "t-handle-wheel"};
 }
 
