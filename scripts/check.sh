@@ -47,7 +47,7 @@ install_packages() {
 # in reports, which the transcripts also have, and the longest of the tests that repeat a computation with
 # other numbers: together half of the time.
 test_under_asan() {
-  local alike='calm|stable_y|stable_z|explain_nb|t_handle|wing_nut|tennis_racket|phone|book|dual_spin|t_handle_wheel|explorer_1'
+  local alike='calm|stable_y|stable_z|explain_nb|explain_short|t_handle|wing_nut|tennis_racket|phone|book|dual_spin|t_handle_wheel|explorer_1'
   local repeated='Verdict.IsRightOfRandomConventions:Alternatives.AxesOfTheBody'
   repeated+=':Alternatives.UnitsOfTimesAndRates:Diagnosis.IsNotStoppedByAFan:Diagnosis.CountsItsWork'
   repeated+=':Weld.RefusesVerticesThatAreAllCloseToEachOther:Polygon.OfVeryManyCornersIsFilledWithin'
