@@ -33,11 +33,11 @@ core_sources() {
     body/triangle_mesh \
     motion/{diagnostics,energy_contours,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
     motion/{reference_motion,series_steps,stability,stepper,taylor,trajectory} study/{flip_search,reference} \
-    scene/{limits,prediction,scene,speed_curve} timeline/{camera_move,frame_change,reference_frame,tilting_torque,timeline} \
+    scene/{limits,prediction,scene,speed_curve} timeline/{camera_move,frame_change,reference_frame,tilting_torque,timeline,tip_forces} \
     picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,intersections,mesh,shadow_balls} \
     picture/look/{emphasis,force_style,material,sky,studio,theme} \
     picture/compose/{camera_path,label} \
-    picture/overlay/{body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,torque_arcs,trail_point}
+    picture/overlay/{axis_tip,body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,torque_arcs,track,trail_point}
   printf '%s\n' src/body/shapes/*.cpp src/picture/shapes/*.cpp src/picture/views/*.cpp
   printf 'web/core/%s.cpp\n' bindings integrated_motion page_views pictures platform recorded_run surfaces
 }

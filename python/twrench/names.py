@@ -48,6 +48,7 @@ FeatureName = Literal[
     "drift",
     "forces",
     "torques",
+    "tip",
     "tilt",
     "moments",
 ]

@@ -12,9 +12,9 @@ namespace twrench::scene {
 
 /// The features of a film that are computed from the closed form or from the energy of a rigid
 /// body.
-inline constexpr std::array features_of_rigid_bodies{Feature::plane,   Feature::poinsot,
-                                                     Feature::phase,   Feature::forces,
-                                                     Feature::torques, Feature::moments};
+inline constexpr std::array features_of_rigid_bodies{
+    Feature::plane,   Feature::poinsot, Feature::phase,  Feature::forces,
+    Feature::torques, Feature::tip,     Feature::moments};
 /// The features that have a meaning only if no energy is lost: an energy that is lost is no error.
 inline constexpr std::array features_of_lossless_bodies{Feature::drift};
 

@@ -207,6 +207,7 @@ enum class Feature {
   drift,       ///< The energy drift, beside the time.
   forces,      ///< The forces on the parts in the camera's frame, as arrows.
   torques,     ///< The torques of these forces that tilt the body further, and back.
+  tip,         ///< The tip of the axis of the rotation, its path, and the forces on it.
   tilt,        ///< The tilt against L on a log scale, instead of the components.
   moments,     ///< The principal moments as bars.
 };

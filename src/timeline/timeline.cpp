@@ -21,6 +21,10 @@ constexpr int whole_intervals = 1200;  // Finer than a curve across a wide panel
 /// Time in s of motion during which the shutter is open: half of that between two frames.
 double shutter(double interval) { return 0.5 * interval; }
 
+bool shows_path(const scene::Overlay& overlay) {
+  return overlay.shows(scene::Feature::trail) || overlay.shows(scene::Feature::tip);
+}
+
 /// Time in s between two points of a trail: about 0.03 rad, but at least 50 points and at most
 /// 2000.
 double step_of_trail(const scene::Scene& scene, double length) {
@@ -187,7 +191,7 @@ Timeline::Timeline(const scene::Scene& scene, std::span<const FrameTime> frames,
     const std::size_t before = blur_ends_.empty() ? 0 : blur_ends_.back();
     blur_ends_.push_back(before + static_cast<std::size_t>(blur_poses(scene, frame.interval)));
   }
-  if (scene.overlay.shows(scene::Feature::trail)) {
+  if (shows_path(scene.overlay)) {
     std::int64_t next = 0;
     for (const auto& [frame, video_time, t, interval] : frames_) {
       const auto oldest = static_cast<std::int64_t>(std::ceil((t - trail_length_) / grid_step_));
@@ -288,7 +292,7 @@ FrameState Timeline::frame_state(std::size_t index) const {
     instant.flips =
         static_cast<std::size_t>(std::ranges::upper_bound(solution.flip_times, instant.sample.t) -
                                  solution.flip_times.begin());
-    if (scene_.overlay.shows(scene::Feature::trail)) instant.trail = trail(record, index);
+    if (shows_path(scene_.overlay)) instant.trail = trail(record, index);
     const std::size_t first = index == 0 ? 0 : blur_ends_[index - 1];
     for (std::size_t k = first; k < blur_ends_[index]; ++k) {
       instant.blur.push_back(record.blur[k]);

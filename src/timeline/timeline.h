@@ -67,7 +67,8 @@ struct SolutionState {
   std::size_t flips = 0;
   /// Predicted time of the next flip in s.
   std::optional<double> next_flip;
-  /// Samples of the last trail_length seconds, oldest first, ending with `sample`.
+  /// Samples of the last trail_length seconds, oldest first, ending with `sample`. Empty unless the
+  /// scene shows a path.
   std::vector<motion::Sample> trail;
   /// Samples while the shutter is open, which is half the frame interval.
   std::vector<motion::Sample> blur;

@@ -75,10 +75,10 @@ TEST(OverlayRecipe, IsTrueOfEachOverlay) {
   EXPECT_NE(draw("--bare").digest, draw("--bare --show momentum").digest);
   for (const std::string& name : names) {
     if (name == "momentum") continue;
-    // Labels need something to name, the phase is an area on the sphere, and only the rotating
-    // frame has torques.
+    // Labels need something to name, the phase is an area on the sphere, and torques and the tip
+    // are those of the rotating frame.
     const std::string others = name == "phase" ? "momentum,sphere" : "momentum";
-    const std::string frame = name == "torques" ? "--frame rotating " : "";
+    const std::string frame = name == "torques" || name == "tip" ? "--frame rotating " : "";
     const Drawn drawn = draw(frame + "--bare --show " + others + "," + name);
     EXPECT_NE(drawn.digest, draw(frame + "--bare --show " + others).digest)
         << name << " draws nothing";

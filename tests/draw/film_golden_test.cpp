@@ -70,11 +70,11 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenFilm, testing::ValuesIn(film_goldens()), [](
 });
 
 // The floor is tested in golden_test.cpp, its shadow alone in floor_test.cpp, texts and panels in
-// tests/picture/overlay_golden_test.cpp, and forces and torques elsewhere.
+// tests/picture/overlay_golden_test.cpp, and the overlays of forces elsewhere.
 TEST(GoldenFilms, ShowEachOverlayOfTheViews) {
   using enum scene::Feature;
-  std::set<scene::Feature> shown{floor,  shadow, labels, hud,     components, curve,
-                                 method, drift,  forces, torques, tilt,       moments};
+  std::set<scene::Feature> shown{floor, shadow, labels,  hud, components, curve,  method,
+                                 drift, forces, torques, tip, tilt,       moments};
   for (const FilmGolden& golden : film_goldens())
     shown.insert(golden.show.begin(), golden.show.end());
   for (const scene::Feature feature : enumerators<scene::Feature>) {

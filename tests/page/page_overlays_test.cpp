@@ -62,7 +62,8 @@ TEST(PageOverlays, AreThoseThatTheViewOfTheBodyDraws) {
   const std::set<std::string> features = offered();
   for (const Feature feature : enumerators<Feature>) {
     // The page has no legend for their colours.
-    if (feature == Feature::forces || feature == Feature::torques) continue;
+    const std::set coloured{Feature::forces, Feature::torques, Feature::tip};
+    if (coloured.contains(feature)) continue;
     const bool is_drawn = drawn_for({feature}) != drawn_for({}) ||
                           drawn_for({Feature::axes, feature}) != drawn_for({Feature::axes});
     if (!is_drawn) continue;

@@ -142,7 +142,8 @@ TEST(InteriorOfAScene, HasAFilmWithoutWhatOnlyARigidBodyHas) {
   EXPECT_EQ(refused(wheel + loss + all + "]"), "nothing");
   EXPECT_EQ(refused(wheel + all + ", 'drift']"), "nothing");
   EXPECT_THAT(refused(loss + all + ", 'drift']"), HasSubstr("show: drift can"));
-  for (const std::string feature : {"plane", "poinsot", "phase", "forces", "torques", "moments"}) {
+  for (const std::string feature :
+       {"plane", "poinsot", "phase", "forces", "torques", "tip", "moments"}) {
     EXPECT_THAT(refused(wheel + all + ", '" + feature + "']"), HasSubstr("show: " + feature));
     EXPECT_EQ(refused(all + ", '" + feature + "']"), "nothing");
   }

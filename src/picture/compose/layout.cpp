@@ -39,12 +39,14 @@ void require_sphere_of_phase(const scene::Overlay& overlay) {
 }
 
 void require_rotating_frame(const scene::Scene& scene) {
-  const bool is_shown = scene.overlay.shows(scene::Feature::torques);
-  if (!is_shown || scene.camera.frame == scene::Frame::rotating) return;
-  throw InvalidArgument("show",
-                        "torques are those of the forces in the frame 'rotating'; the frame is '" +
-                            std::string(enumerator_name(scene.camera.frame)) + "'",
-                        "use the frame 'rotating'");
+  if (scene.camera.frame == scene::Frame::rotating) return;
+  for (const scene::Feature feature : {scene::Feature::torques, scene::Feature::tip}) {
+    if (!scene.overlay.shows(feature)) continue;
+    const std::string name(enumerator_name(feature)), frame(enumerator_name(scene.camera.frame));
+    throw InvalidArgument(
+        "show", name + " shows the forces in the frame 'rotating'; the frame is '" + frame + "'",
+        "use the frame 'rotating'");
+  }
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ struct Layout {
   std::optional<image::Area> description;
   /// The remark on what happens, and the readouts of a single motion.
   std::optional<image::Area> readouts;
-  /// The legend of the forces, in one row below the body, and the gauge of their torques above it.
+  /// The legend of the forces, in one row below the bodies, and the gauge of the torques of a
+  /// single body above it.
   std::optional<image::Area> forces, torques;
   /// The tilt against time and the principal moments, in the place of the curve or the components
   /// or, if neither is shown, in a part of the body's pane.
@@ -100,8 +101,9 @@ inline double torque_text_size(const Layout::TextSizes& sizes) { return 1.1 * si
 /// Returns whether the nine components are in one row, instead of three rows of three.
 bool is_strip(const image::Area& components);
 
-/// Computes the layout. Throws InvalidArgument for a phase without its sphere, for torques in a
-/// frame other than the rotating one, and for a comparison in a view that shows only one motion.
+/// Computes the layout. Throws InvalidArgument for a phase without its sphere, for torques or the
+/// tip in a frame other than the rotating one, and for a comparison in a view that shows only one
+/// motion.
 Layout compute_layout(const scene::Scene& scene);
 
 }  // namespace twrench::picture

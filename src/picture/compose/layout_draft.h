@@ -82,7 +82,9 @@ class LayoutDraft {
   // Forces, tilt and moments: layout_forces.cpp.
   void place_forces();
   void place_force_panels();
+  std::optional<image::Area> cut_force_legend(image::Area& rest) const;
   void place_force_legend();
+  void place_common_legend();
   void place_torques();
   image::Area safe_focus() const;
   bool take_focus(const image::Area& rest);

@@ -11,6 +11,7 @@ namespace {
 constexpr double legend_height = 1.25, least_legend = 20;                 // em of a readout
 constexpr double least_panel_width = 12, least_height = 6.5;              // em of a caption
 constexpr double gauge_height = 4.5, gauge_width = 26, least_gauge = 16;  // em of its text
+constexpr int least_over_legend = 6;    // rows of the legend, the height of the bodies above it
 constexpr int least_share = 3;          // the focus is at least a third of the pane
 constexpr double panel_share = 0.3;     // of the focus
 constexpr double moments_share = 0.48;  // of an area that holds both
@@ -84,14 +85,29 @@ void LayoutDraft::place_force_panels() {
   (tilt ? layout_.tilt : layout_.moments) = area;
 }
 
+/// Cuts the legend of the forces off the bottom, if the scene shows forces and it fits.
+std::optional<image::Area> LayoutDraft::cut_force_legend(image::Area& rest) const {
+  const bool has_forces =
+      overlay_.shows(scene::Feature::forces) || overlay_.shows(scene::Feature::tip);
+  const double size = layout_.text.readout;
+  if (!has_forces || rest.width < least_legend * size) return std::nullopt;
+  return cut_bottom(rest, static_cast<int>(std::lround(legend_height * size)), gap_);
+}
+
 /// Places the legend of the forces below the body.
 void LayoutDraft::place_force_legend() {
-  const double size = layout_.text.readout;
   image::Area rest = safe_focus();
-  if (!overlay_.shows(scene::Feature::forces) || rest.width < least_legend * size) return;
-  const image::Area row =
-      cut_bottom(rest, static_cast<int>(std::lround(legend_height * size)), gap_);
-  if (rest.height > 0 && take_focus(rest)) layout_.forces = row;
+  const auto row = cut_force_legend(rest);
+  if (row && rest.height > 0 && take_focus(rest)) layout_.forces = row;
+}
+
+/// Places the legend of the forces below the bodies of a comparison.
+void LayoutDraft::place_common_legend() {
+  image::Area rest = image::common(rest_, safe_);
+  const auto row = cut_force_legend(rest);
+  if (!row || rest.height < least_over_legend * row->height) return;
+  layout_.forces = row;
+  rest_.height = rest.y + rest.height - rest_.y;
 }
 
 /// Places the gauge of the torques below the body, in the middle.

@@ -55,6 +55,7 @@ void LayoutDraft::place_text_and_insets() {
   if (!single()) {
     place_title(rest_);
     place_strips();
+    place_common_legend();
   } else if (is_long()) {
     place_in_line();
   } else if (has_text_on_the_left()) {

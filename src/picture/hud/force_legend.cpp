@@ -50,9 +50,16 @@ double draw_sample(canvas::Canvas& canvas, double x, double middle, double size,
 ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const TextStyle& style) {
   const canvas::Font& font = style.typeface.regular;
   std::vector<Entry> row;
-  for (const Force force : forces_in(scene.camera.frame)) {
-    row.push_back({canvas::typeset(font, name_of(force)), color_of(force, style.colors), true});
+  const auto add = [&](const std::string& name, const Color& color) {
+    row.push_back({canvas::typeset(font, name), color, true});
+  };
+  const bool has_tip = scene.overlay.shows(scene::Feature::tip);
+  const std::vector<Force> of_tip{Force::centrifugal, Force::coriolis};
+  const bool has_parts = scene.overlay.shows(scene::Feature::forces);
+  for (const Force force : has_parts ? forces_in(scene.camera.frame) : of_tip) {
+    add(name_of(force), color_of(force, style.colors));
   }
+  if (has_tip) add("sum", color_of_sum(style.colors));
   row.push_back({canvas::typeset(font, heading(scene.camera.frame)), style.colors.text, false});
   const image::Area& area = *layout.forces;
   const double size = layout.text.readout;

@@ -24,6 +24,8 @@ Color color_of(Force force, const OverlayColors& colors) {
   return colors.axis[static_cast<std::size_t>(force)];
 }
 
+Color color_of_sum(const OverlayColors& colors) { return colors.omega; }
+
 Color color_of_further(const OverlayColors& colors) { return colors.axis[0]; }
 
 Color color_of_back(const OverlayColors& colors) { return colors.axis[2]; }

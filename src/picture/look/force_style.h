@@ -21,6 +21,9 @@ std::string name_of(Force force);
 /// Returns the colour of the force's arrows and of its name.
 Color color_of(Force force, const OverlayColors& colors);
 
+/// Returns the colour of the sum of the forces on the tip of an axis.
+Color color_of_sum(const OverlayColors& colors);
+
 /// Returns the colour of the torques that tilt the body further, and of those that tilt it back.
 Color color_of_further(const OverlayColors& colors);
 Color color_of_back(const OverlayColors& colors);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "picture/look/emphasis.h"
+#include "picture/overlay/track.h"
 #include "picture/overlay/trail_point.h"
 
 namespace twrench::picture {
@@ -146,40 +147,16 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
   }
 }
 
-/// Draws the line that a point leaves behind, and a dot at its current position, on a halo that
-/// keeps them visible on any background.
-template <typename Place>
-void BodyOverlay::draw_track(const timeline::SolutionState& instant, double width,
-                             const Color& color, Place place, DrawList& translucent) const {
-  constexpr double dot = 1.15;  // radius in widths of the line
-  std::vector<DrawList::Point> line;
-  for (const motion::Sample& sample : instant.trail) {
-    const double age = instant.trail_age(sample, trail_length_);
-    const double opacity = 0.9 * std::pow(1 - age, 1.4);
-    const Vector3d point = place(sample);
-    const double across = width * radius_ * (1 - 0.6 * age) * translucent.pixels(point);
-    line.push_back({point, across, {color, opacity}});
-  }
-  translucent.line_on_halo(line, colors_.panel);
-  if (line.empty()) return;
-  // The dot represents a ball. It is drawn at its near side, which arrows through it do not hide.
-  const Vector3d& now = line.back().place;
-  const Vector3d near = now + dot * width * radius_ * (translucent.eye() - now).normalized();
-  const double size = line.back().width;
-  translucent.dot(near, dot * size + DrawList::halo_of(size), {colors_.panel, 0.9});
-  translucent.dot(near, dot * size, {color, 1});
-}
-
 void BodyOverlay::draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const {
+  const auto draw = [&](double width, const Color& color, const auto& place) {
+    draw_track(instant, {width * radius_, trail_length_, color, colors_.panel}, place, translucent);
+  };
   if (shows_plane_ && shows_omega_) {
-    draw_track(
-        instant, 0.6 * trail_width_, colors_.omega,
-        [&](const motion::Sample& sample) { return omega_tip(sample); }, translucent);
+    draw(0.6 * trail_width_, colors_.omega,
+         [&](const motion::Sample& sample) { return omega_tip(sample); });
   }
-  draw_track(
-      instant, trail_width_, colors_.trail,
-      [&](const motion::Sample& sample) -> Vector3d { return sample.X * trail_point_; },
-      translucent);
+  draw(trail_width_, colors_.trail,
+       [&](const motion::Sample& sample) -> Vector3d { return sample.X * trail_point_; });
 }
 
 std::vector<Label> BodyOverlay::labels(const timeline::SolutionState& instant, const Camera& camera,

@@ -56,9 +56,6 @@ class BodyOverlay {
 
   void draw_plane(DrawList& translucent) const;
   void draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const;
-  template <typename Place>
-  void draw_track(const timeline::SolutionState& instant, double width, const Color& color,
-                  Place place, DrawList& translucent) const;
 
   OverlayColors colors_;
   bool shows_axes_, shows_momentum_, shows_omega_, shows_plane_, shows_trail_, shows_labels_;

@@ -14,16 +14,12 @@ namespace {
 
 using Eigen::Matrix3d;
 
-std::optional<ForceArrows> forces_of(const scene::Scene& scene, const timeline::Solution& solution,
-                                     double radius) {
-  if (!scene.overlay.shows(scene::Feature::forces)) return std::nullopt;
-  return ForceArrows(scene, solution, radius);
-}
-
-std::optional<TorqueArcs> torques_of(const scene::Scene& scene, const timeline::Solution& solution,
-                                     double radius) {
-  if (!scene.overlay.shows(scene::Feature::torques)) return std::nullopt;
-  return TorqueArcs(scene, solution, radius);
+/// Returns the overlay that shows the feature, if the scene does.
+template <typename Shown>
+std::optional<Shown> shown_if(scene::Feature feature, const scene::Scene& scene,
+                              const timeline::Solution& solution, double radius) {
+  if (!scene.overlay.shows(feature)) return std::nullopt;
+  return Shown(scene, solution, radius);
 }
 
 /// Tolerance in cm at which facets are indistinguishable from the shape: a seventh of a pixel in
@@ -42,8 +38,9 @@ BodyView::BodyView(const scene::Scene& scene, const std::vector<timeline::Soluti
       frame_(scene.camera.frame),
       radius_(radius),
       overlay_(scene, solutions[solution].body, radius_),
-      forces_(forces_of(scene, solutions[solution], radius_)),
-      torques_(torques_of(scene, solutions[solution], radius_)),
+      forces_(shown_if<ForceArrows>(scene::Feature::forces, scene, solutions[solution], radius_)),
+      torques_(shown_if<TorqueArcs>(scene::Feature::torques, scene, solutions[solution], radius_)),
+      tip_(shown_if<AxisTip>(scene::Feature::tip, scene, solutions[solution], radius_)),
       path_(scene.camera),
       framing_(framing_of(scene, solutions[solution])),
       turns_(frame_ != scene::Frame::space || path_.orbit != 0 ||
@@ -95,6 +92,7 @@ double BodyView::shown_radius() const {
 Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution& solution) const {
   std::vector<Eigen::Vector3d> points;
   if (forces_) points = forces_->extent();
+  if (tip_) std::ranges::copy(tip_->extent(), std::back_inserter(points));
   constexpr std::size_t stride = 12;  // of the samples, which are finer than needed here
   for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
     const Matrix3d frame_from_space =
@@ -216,6 +214,7 @@ void BodyView::add(const timeline::FrameState& state, ViewContents& contents) co
     torques_->draw(instant.sample, contents.camera, pane().area, contents.opaque,
                    contents.translucent);
   }
+  if (tip_) tip_->draw(instant, contents.opaque, contents.translucent);
   if (!pane().named) return;
   contents.labels = overlay_.labels(state.solutions[solution_], contents.camera, pane().area);
   if (torques_) {

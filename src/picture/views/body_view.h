@@ -2,6 +2,7 @@
 
 #include "picture/body/body_model.h"
 #include "picture/look/theme.h"
+#include "picture/overlay/axis_tip.h"
 #include "picture/overlay/body_overlay.h"
 #include "picture/overlay/fixed_stars.h"
 #include "picture/overlay/force_arrows.h"
@@ -65,6 +66,7 @@ class BodyView final : public View {
   BodyOverlay overlay_;
   std::optional<ForceArrows> forces_;
   std::optional<TorqueArcs> torques_;
+  std::optional<AxisTip> tip_;
   scene::CameraPath path_;
   Framing framing_;  ///< Keeps the overlay in view too; its direction moves.
   BodyModel body_{};

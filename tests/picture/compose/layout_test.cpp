@@ -319,8 +319,25 @@ TEST(Layout, GivesTheLegendOfTheForcesARowBelowTheBody) {
   ASSERT_TRUE(layout.forces);
   EXPECT_TRUE(inside(*layout.forces, before.panes[0].focus));
   EXPECT_LT(layout.panes[0].focus.y + layout.panes[0].focus.height, layout.forces->y);
-  scene.overlay.compare = {"rk4", "exact"};
-  EXPECT_FALSE(compute_layout(scene).forces);
+}
+
+TEST(Layout, GivesTheBodiesOfAComparisonOneLegendOfTheForces) {
+  for (const scene::Feature feature : {scene::Feature::forces, scene::Feature::tip}) {
+    for (const bool has_text : {true, false}) {
+      scene::Scene scene = t_wrench(1280, 720);
+      scene.camera.frame = scene::Frame::rotating;
+      if (!has_text) scene.overlay.show.clear();
+      scene.overlay.show.insert(feature);
+      scene.overlay.compare = {"rk4", "exact"};
+      const Layout layout = compute_layout(scene);
+      ASSERT_TRUE(layout.forces);
+      EXPECT_LE(layout.forces->y + layout.forces->height, 0.95 * 720);
+      for (const Layout::Pane& pane : layout.panes) {
+        EXPECT_LE(pane.focus.y + pane.focus.height, layout.forces->y);
+        EXPECT_GT(pane.focus.height, 300);
+      }
+    }
+  }
 }
 
 TEST(Layout, PutsTheGaugeOfTheTorquesBelowTheBody) {
@@ -336,15 +353,17 @@ TEST(Layout, PutsTheGaugeOfTheTorquesBelowTheBody) {
   }
 }
 
-TEST(Layout, RefusesTorquesOutsideOfTheRotatingFrame) {
+TEST(Layout, RefusesTorquesAndTheTipOutsideOfTheRotatingFrame) {
   scene::Scene scene = t_wrench(640, 360);
-  scene.overlay.show.insert(scene::Feature::torques);
-  for (const scene::Frame frame : {scene::Frame::space, scene::Frame::body}) {
-    scene.camera.frame = frame;
-    EXPECT_THROW(compute_layout(scene), InvalidArgument);
+  for (const scene::Feature feature : {scene::Feature::torques, scene::Feature::tip}) {
+    scene.overlay.show = {feature};
+    for (const scene::Frame frame : {scene::Frame::space, scene::Frame::body}) {
+      scene.camera.frame = frame;
+      EXPECT_THROW(compute_layout(scene), InvalidArgument);
+    }
+    scene.camera.frame = scene::Frame::rotating;
+    EXPECT_NO_THROW(compute_layout(scene));
   }
-  scene.camera.frame = scene::Frame::rotating;
-  EXPECT_NO_THROW(compute_layout(scene));
 }
 
 }  // namespace

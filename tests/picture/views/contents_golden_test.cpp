@@ -167,7 +167,10 @@ scene::Scene with_all(const std::string& name, scene::Theme theme, scene::Frame 
   scene.camera.frame = frame;
   for (const scene::Feature feature : enumerators<scene::Feature>)
     scene.overlay.show.insert(feature);
-  if (frame != scene::Frame::rotating) scene.overlay.show.erase(scene::Feature::torques);
+  if (frame != scene::Frame::rotating) {
+    scene.overlay.show.erase(scene::Feature::torques);
+    scene.overlay.show.erase(scene::Feature::tip);
+  }
   return scene;
 }
 
