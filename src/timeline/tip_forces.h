@@ -27,7 +27,7 @@ class TipForces {
 
  private:
   motion::FreeBody body_;
-  double rate_;  ///< Of the frame, in rad/s.
+  double rate_;  ///< Angular speed of the frame in rad/s.
   Eigen::Vector3d axis_;
 };
 

@@ -24,7 +24,8 @@ TEST(SceneFile, BuiltInScenesLoad) {
     const Scene scene = load_scene(name);
     EXPECT_EQ(scene.name, name);
     EXPECT_FALSE(scene.title.empty());
-    if (scene.shots.empty()) EXPECT_EQ(scene.frame_count(), 960) << name;
+    if (!scene.shots.empty()) continue;
+    EXPECT_EQ(scene.frame_count(), 960) << name;
   }
 }
 

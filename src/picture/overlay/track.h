@@ -13,7 +13,7 @@ struct TrackStyle {
   double width;         ///< In cm, at its newest end.
   double trail_length;  ///< Duration in s of motion.
   Color color;
-  Color halo;  ///< Of the halo that keeps it visible on any background.
+  Color halo;  ///< Colour of the halo that keeps it visible on any background.
 };
 
 /// Adds the line that a point leaves behind during the trail of `instant`, and a dot at its current
