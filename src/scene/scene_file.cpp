@@ -75,9 +75,10 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 }
 
 std::vector<std::string> builtin_scene_names() {
-  return {"dzhanibekov", "calm",       "stable-y", "stable-z",   "sphere",        "tao-disk",
-          "explain",     "explain-nb", "explain-short", "t-handle", "wing-nut",   "tennis-racket", "phone",
-          "book",        "hammer",     "toutatis", "explorer-1", "dual-spin",     "t-handle-wheel"};
+  return {"dzhanibekov", "calm",          "stable-y",   "stable-z",      "sphere",
+          "tao-disk",    "explain",       "explain-nb", "explain-short", "t-handle",
+          "wing-nut",    "tennis-racket", "phone",      "book",          "hammer",
+          "toutatis",    "explorer-1",    "dual-spin",  "t-handle-wheel"};
 }
 
 bool is_scene_file(const std::string& name_or_path) {

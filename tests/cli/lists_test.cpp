@@ -29,8 +29,8 @@ TEST(Lists, ScenesOneALine) {
   EXPECT_EQ(run.code, 0);
   for (const char* name :
        {"dzhanibekov", "calm", "stable-y", "stable-z", "sphere", "tao-disk", "explain",
-        "explain-nb", "explain-short", "t-handle", "wing-nut", "tennis-racket", "phone", "book", "hammer",
-        "toutatis", "explorer-1", "dual-spin", "t-handle-wheel"}) {
+        "explain-nb", "explain-short", "t-handle", "wing-nut", "tennis-racket", "phone", "book",
+        "hammer", "toutatis", "explorer-1", "dual-spin", "t-handle-wheel"}) {
     EXPECT_THAT("\n" + run.out, ContainsRegex(std::string("\n") + name + " +[A-Z]"));
   }
 }

@@ -13,7 +13,8 @@ namespace twrench::gl {
 /// graphics card: with EGL if TWRENCH_TEST_BACKEND=egl, which runs every test with EGL only, or if
 /// there is no OSMesa; otherwise with OSMesa.
 inline std::unique_ptr<Context> make_test_context() {
-  if (const char* const card = std::getenv("TWRENCH_TEST_EGL_DEVICE")) return make_egl_context(card);
+  if (const char* const card = std::getenv("TWRENCH_TEST_EGL_DEVICE"))
+    return make_egl_context(card);
   const char* const wanted = std::getenv("TWRENCH_TEST_BACKEND");
   const std::string backend = wanted == nullptr ? "" : wanted;
   if (backend == "egl") return make_egl_context("software");

@@ -316,8 +316,8 @@ TEST(Explain, ExplorerTumbledAboutTheAxisOfItsGreatestMoment) {
           .samples;
   EXPECT_LT(tilt.of(samples[0]), 0.05);
   EXPECT_GT(tilt.of(samples[1]), 1.5);
-  const double least_energy = satellite.momentum().squaredNorm() /
-                              (2 * satellite.principal().moments[2]);
+  const double least_energy =
+      satellite.momentum().squaredNorm() / (2 * satellite.principal().moments[2]);
   EXPECT_NEAR(motion::energy(satellite.inertia(), samples[1].omega) / least_energy, 1, 0.05);
 }
 

@@ -151,8 +151,8 @@ TEST(TipForces, AreAtTheEndNearestToTheMomentum) {
   }
 }
 
-// The captions of the film explain: the centrifugal force pulls back, out, and out; about the axis of
-// least moment the tip circles, and about the intermediate one it runs away.
+// The captions of the film explain: the centrifugal force pulls back, out, and out; about the axis
+// of least moment the tip circles, and about the intermediate one it runs away.
 TEST(TipForces, PullAsTheFilmExplainSays) {
   const scene::Scene film = scene::load_scene("explain");
   const auto told = [&](const char* words) -> const scene::Shot& {
@@ -160,8 +160,8 @@ TEST(TipForces, PullAsTheFilmExplainSays) {
       return shot.scene.caption.value_or("").find(words) != std::string::npos;
     });
   };
-  const scene::Shot &greatest = told("pulls back: it stays"), &least = told("Coriolis bends the path"),
-                    &middle = told("nothing saves it");
+  const scene::Shot &greatest = told("pulls back: it stays"),
+                    &least = told("Coriolis bends the path"), &middle = told("nothing saves it");
   EXPECT_EQ(least.start, greatest.time_of(*greatest.scene.length));
   EXPECT_EQ(middle.start, least.time_of(*least.scene.length));
   const double end = middle.time_of(*middle.scene.length);
