@@ -64,12 +64,10 @@ void check_shown_motion(const Scene& film) {
 }
 
 void require_rigid(const Scene& scene, const std::string& what) {
-  if (!scene.motion.is_rigid()) {
-    throw InvalidArgument(scene.motion.wheel ? "wheel" : "energy_loss_time",
-                          what + " needs the closed form of a rigid body's motion",
-                          "use a rigid body; simulate computes the motion of any body");
-  }
-  for (const Shot& shot : scene.shots) require_rigid(shot.scene, what);
+  if (scene.motion.is_rigid()) return;
+  throw InvalidArgument(scene.motion.wheel ? "wheel" : "energy_loss_time",
+                        what + " needs the closed form of a rigid body's motion",
+                        "use a rigid body; simulate computes the motion of any body");
 }
 
 }  // namespace twrench::scene

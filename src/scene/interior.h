@@ -23,8 +23,8 @@ inline constexpr std::array features_of_lossless_bodies{Feature::drift};
 void check_interior(const Scene& scene,
                     const std::function<std::string(const std::string& key)>& name_of);
 
-/// Throws InvalidArgument unless the body of the scene and of each shot is rigid. `what` names the
-/// result that needs a rigid body, such as "a check".
+/// Throws InvalidArgument unless the body of the scene, without its shots, is rigid. `what` names
+/// the result that needs a rigid body, such as "a check".
 void require_rigid(const Scene& scene, const std::string& what);
 
 /// Throws InvalidArgument if a scene whose body is not rigid, or such a shot, shows something in

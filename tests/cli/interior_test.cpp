@@ -261,12 +261,9 @@ TEST(Interior, IsRefusedInOneLineByCheck) {
       << "[body]\nmoments = [3, 4, 5]\n[motion]\nwheel = [0, 0, 1]\n";
   std::ofstream(folder / "loss.toml")
       << "[body]\nmoments = [3, 4, 5]\n[motion]\nenergy_loss_time = 50\n";
-  std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
-                                         "[shot.motion]\nwheel = [0, 0, 1]\n";
   std::ofstream(folder / "run.csv") << "t,wx,wy,wz\n0,1,0,0\n1,1,0,0\n";
   for (const auto& [scene, key] :
-       {std::pair("wheel.toml", "wheel"), std::pair("shot.toml", "wheel"),
-        std::pair("loss.toml", "energy_loss_time")}) {
+       {std::pair("wheel.toml", "wheel"), std::pair("loss.toml", "energy_loss_time")}) {
     const Outcome run = run_twrench(folder, std::string("check run.csv --scene ") + scene);
     EXPECT_EQ(run.code, 2) << scene << "\n" << run.err;
     EXPECT_EQ(run.err,
@@ -303,8 +300,6 @@ TEST(Interior, IsShownInPages) {
   const ScratchFolder folder;
   std::ofstream(folder / "t.html")
       << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
-  std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
-                                         "[shot.motion]\nwheel = [0, 0, 1]\n";
   for (const auto& [words, value] :
        {std::pair("dzhanibekov --wheel 9,0,0", "\"wheel\":[9.0,0.0,0.0]"),
         std::pair("dzhanibekov --energy-loss-time 40", "\"energy_loss_time\":40.0"),

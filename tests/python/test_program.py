@@ -118,7 +118,7 @@ def test_the_schema_is_that_of_the_program(program):
 @pytest.mark.parametrize("name", twrench.scenes())
 def test_samples_are_those_of_the_program(program, tmp_path, name):
     scene, options = Scene(name, method="rkmk4", fps=10), [name, "--method", "rkmk4", "--fps", 10]
-    if name not in ("explain", "explain-nb", "explorer-1"):  # their shots have their own durations
+    if name not in ("explain", "explain-nb", "explain-short", "explorer-1"):  # their shots have their own durations
         scene.duration = 5
         options += ["--duration", 5]
     assert scene.export(tmp_path / "a.csv") == tmp_path / "a.csv"
