@@ -59,7 +59,7 @@ build_core() {
   printf -v errors -- '-DBOOST_MATH_%s_ERROR_POLICY=ignore_error ' DOMAIN POLE OVERFLOW EVALUATION \
     ROUNDING INDETERMINATE_RESULT
   # shellcheck disable=SC2206 # words
-  local flags=(--target=wasm32-wasi -std=c++20 -O2 -fexceptions -fvisibility=hidden
+  local flags=(--target=wasm32-wasi -std=c++20 -Os -fexceptions -fvisibility=hidden
     -ffunction-sections -fdata-sections -ffp-contract=off -DNDEBUG
     -DFMT_HEADER_ONLY -DFMT_STATIC_THOUSANDS_SEPARATOR=32 $errors
     -Iweb/core/shim -Iweb/core -Isrc -Iinclude -isystem "$out/include" -isystem /usr/include/eigen3)

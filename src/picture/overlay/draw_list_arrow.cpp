@@ -142,8 +142,9 @@ void DrawList::arrow(std::span<const Vector3d> path, double radius, const Ink& i
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
   if (!(length > 0)) return;
-  const double scale = std::min(1.0, length / (arrow_head_length * radius));
-  double shaft = length - arrow_head_length * radius * scale;
+  const double head_length = std::min(arrow_head_length * radius, length);
+  const double scale = head_length / (arrow_head_length * radius);
+  double shaft = length - head_length;  // exactly 0 for an arrow without a shaft
   std::vector<Cone> stems;
   Vector3d neck = path.front();
   for (std::size_t i = 1; i < path.size() && shaft > 0; ++i) {
