@@ -306,13 +306,17 @@ TEST(Explain, ExplorerTumbledAboutTheAxisOfItsGreatestMoment) {
       return shot.scene.caption.value_or("").find(words) != std::string::npos;
     });
   };
-  const Shot tumbling = told("It soon tumbled"), now = told("about the hardest one");
+  const Shot launched = told("about its easiest axis"), tumbling = told("Soon it tumbled"),
+             now = told("about the hardest one");
+  EXPECT_EQ(launched.start, 0);
+  EXPECT_EQ(launched.scene.motion.omega, tumbling.scene.motion.omega);
   const motion::FreeBody satellite = free_body(tumbling.scene);
   const motion::Tilt tilt(satellite);
   EXPECT_EQ(tilt.axis(), body::PrincipalAxes::least);
   EXPECT_EQ(now.start, tumbling.time_of(*tumbling.scene.length));
   const std::vector<motion::Sample> samples =
-      motion::integrate(satellite, motion::find_method("taylor"), {}, std::array{0.0, now.start})
+      motion::integrate(satellite, motion::find_method("taylor"), {},
+                        std::array{0.0, tumbling.start})
           .samples;
   EXPECT_LT(tilt.of(samples[0]), 0.05);
   EXPECT_GT(tilt.of(samples[1]), 1.5);
