@@ -300,6 +300,8 @@ TEST(Interior, IsShownInPages) {
   const ScratchFolder folder;
   std::ofstream(folder / "t.html")
       << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
+  std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
+                                         "[shot.motion]\nwheel = [0, 0, 1]\n";
   for (const auto& [words, value] :
        {std::pair("dzhanibekov --wheel 9,0,0", "\"wheel\":[9.0,0.0,0.0]"),
         std::pair("dzhanibekov --energy-loss-time 40", "\"energy_loss_time\":40.0"),
