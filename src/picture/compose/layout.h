@@ -69,8 +69,8 @@ struct Layout {
   /// The legend of the forces, in one row below the bodies, and the gauge of the torques of a
   /// single body above it.
   std::optional<image::Area> forces, torques;
-  /// The tilt against time and the principal moments, in the place of the curve or the components
-  /// or, if neither is shown, in a part of the body's pane.
+  /// The tilt against time and the principal moments. They replace the curve or the components or,
+  /// if neither is shown, take a part of the body's pane.
   std::optional<image::Area> tilt, moments;
   /// In a comparison, the method, readouts and remark of each pane.
   std::vector<image::Area> legends;

@@ -16,7 +16,7 @@ namespace {
 using Point = canvas::Canvas::Point;
 using Align = canvas::Canvas::Align;
 
-// In em of the text.
+// Lengths in em of the text.
 constexpr double heading_line = 0.75, gauge_top = 1.25, gauge_thickness = 0.6,
                  value_below_bar = 1.15, marker_width = 0.5, marker_overhang = 0.15, side_gap = 0.4;
 constexpr double gauge_margin = 1.04;  // the largest torque is inside the bar
