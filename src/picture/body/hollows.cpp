@@ -6,9 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <functional>
 #include <glm/common.hpp>
+#include <mutex>
 #include <numbers>
 #include <span>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/parallel.h"
@@ -200,6 +205,44 @@ std::vector<float> openness(const Mesh& mesh, const Range& part, std::size_t dir
   return result;
 }
 
+/// Hash of the bytes of a range of numbers.
+template <typename T>
+std::size_t hash_of(std::span<const T> values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  const auto bytes = std::as_bytes(values);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes are characters
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return std::hash<std::string_view>()(text);
+}
+
+/// The openness of the last parts, because the panes of a comparison and the shots of a film show
+/// the same ones.
+class RecentParts {
+ public:
+  std::vector<float> openness_of(const Mesh& mesh, const Range& part, std::size_t directions) {
+    const Key key{directions,
+                  hash_of(std::span(mesh.vertices)
+                              .subspan(part.first_vertex, part.vertices_end - part.first_vertex)),
+                  hash_of(std::span(mesh.indices).subspan(part.begin, part.end - part.begin))};
+    const std::scoped_lock lock(mutex_);
+    const auto found = std::ranges::find(parts_, key, &Part::key);
+    if (found != parts_.end()) return found->openness;
+    if (parts_.size() == most) parts_.pop_front();
+    return parts_.emplace_back(Part{key, openness(mesh, part, directions)}).openness;
+  }
+
+ private:
+  static constexpr std::size_t most = 16;
+  using Key = std::array<std::size_t, 3>;
+  struct Part {
+    Key key;
+    std::vector<float> openness;
+  };
+
+  std::mutex mutex_;  ///< Guards the parts.
+  std::deque<Part> parts_;
+};
+
 /// The light that reaches a surface in a hollow of this colour.
 glm::vec3 with_reflections(float open, const glm::vec3& color) {
   const glm::vec3 a = 2.0404F * color - 0.3324F;
@@ -219,11 +262,12 @@ void shade_hollows(Mesh& mesh) {
   if (vertices == 0) return;
   const std::size_t directions =
       std::clamp(2 * most_rays / vertices, least_directions, most_directions);
+  static RecentParts recent_parts;
   mesh.colors.resize(mesh.vertices.size());
   for (std::size_t part = 0; part < mesh.part_ends.size(); ++part) {
     if (mesh.clusters[part].empty()) continue;
     const Range range = range_of(mesh, part);
-    const std::vector<float> open = openness(mesh, range, directions);
+    const std::vector<float> open = recent_parts.openness_of(mesh, range, directions);
     for (std::size_t i = 0; i < open.size(); ++i) {
       glm::vec3& color = mesh.colors[range.first_vertex + i];
       color = mesh.is_colored[part] == 0 ? with_reflections(open[i], glm::vec3(usual_albedo))
