@@ -4,11 +4,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <glm/common.hpp>
+#include <limits>
 #include <mutex>
 #include <numbers>
 #include <span>
@@ -22,6 +24,7 @@
 namespace twrench::picture {
 namespace {
 
+using Eigen::Array4f;
 using Eigen::Vector3f;
 
 // The same directions at all vertices: the error then varies as smoothly as the surface, whereas
@@ -44,37 +47,87 @@ std::vector<Vector3f> directions_around(std::size_t count) {
   return result;
 }
 
+/// Coordinates of four points or directions, which one instruction can compute with.
+using FourVectors = std::array<Array4f, 3>;
+
+Array4f dot(const FourVectors& a, const Vector3f& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Array4f dot(const FourVectors& a, const FourVectors& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// A ray in the coordinates of a tree's boxes.
 struct Ray {
   Vector3f origin, direction, inverse;
 
   Ray(const Vector3f& from, const Vector3f& along)
       : origin(from), direction(along), inverse(along.cwiseInverse()) {}
+};
 
-  bool meets(const Eigen::AlignedBox3f& box) const {
-    const Vector3f a = (box.min() - origin).cwiseProduct(inverse);
-    const Vector3f b = (box.max() - origin).cwiseProduct(inverse);
-    const float enter = std::max(a.cwiseMin(b).maxCoeff(), 0.0F);
-    return enter <= a.cwiseMax(b).minCoeff();
+/// Four boxes. One that is not set meets no ray.
+struct FourBoxes {
+  FourVectors min, max;
+
+  FourBoxes() {
+    min.fill(Array4f::Constant(std::numeric_limits<float>::max()));
+    max = min;
+  }
+
+  void set(Eigen::Index i, const Eigen::AlignedBox3f& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      min.at(axis)[i] = box.min()[static_cast<Eigen::Index>(axis)];
+      max.at(axis)[i] = box.max()[static_cast<Eigen::Index>(axis)];
+    }
+  }
+
+  Eigen::Array<bool, 4, 1> meet(const Ray& ray) const {
+    Array4f enter = Array4f::Zero(), leave = Array4f::Constant(std::numeric_limits<float>::max());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      const Array4f a = (min[axis] - ray.origin[i]) * ray.inverse[i];
+      const Array4f b = (max[axis] - ray.origin[i]) * ray.inverse[i];
+      enter = enter.max(a.min(b));
+      leave = leave.min(a.max(b));
+    }
+    return enter <= leave;
   }
 };
 
-/// A corner and the two sides that begin there.
-struct Triangle {
-  Vector3f corner, one, other;
+/// Four triangles, each a corner and the two sides that begin there. One that is not set is a
+/// point.
+struct FourTriangles {
+  FourVectors corner, one, other;
 
-  /// Whether the ray meets the outer face (Möller and Trumbore, "Fast, Minimum Storage Ray-Triangle
+  FourTriangles() {
+    corner.fill(Array4f::Zero());
+    one = other = corner;
+  }
+
+  void set(Eigen::Index i, const std::array<Vector3f, 3>& corners) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<Eigen::Index>(axis);
+      corner.at(axis)[i] = corners[0][k];
+      one.at(axis)[i] = corners[1][k] - corners[0][k];
+      other.at(axis)[i] = corners[2][k] - corners[0][k];
+    }
+  }
+
+  /// Whether the ray meets an outer face (Möller and Trumbore, "Fast, Minimum Storage Ray-Triangle
   /// Intersection", Journal of Graphics Tools 2 (1997)).
-  bool blocks(const Ray& ray) const {
-    const Vector3f p = ray.direction.cross(other);
-    const float det = one.dot(p);
-    if (det <= 0) return false;  // the inner face
-    const Vector3f to_origin = ray.origin - corner;
-    const float u = to_origin.dot(p);
-    if (u < 0 || u > det) return false;
-    const Vector3f q = to_origin.cross(one);
-    const float v = ray.direction.dot(q);
-    return v >= 0 && u + v <= det && other.dot(q) > 0;
+  bool block(const Ray& ray) const {
+    const Vector3f& d = ray.direction;
+    const FourVectors p{d[1] * other[2] - d[2] * other[1], d[2] * other[0] - d[0] * other[2],
+                        d[0] * other[1] - d[1] * other[0]};
+    const Array4f det = dot(one, p);  // negative for the inner face
+    const FourVectors from{ray.origin[0] - corner[0], ray.origin[1] - corner[1],
+                           ray.origin[2] - corner[2]};
+    const Array4f u = dot(from, p);
+    const FourVectors q{from[1] * one[2] - from[2] * one[1], from[2] * one[0] - from[0] * one[2],
+                        from[0] * one[1] - from[1] * one[0]};
+    const Array4f v = dot(q, d);
+    return (det > 0 && u >= 0 && u <= det && v >= 0 && u + v <= det && dot(other, q) > 0).any();
   }
 };
 
@@ -106,55 +159,62 @@ body::TriangleMesh triangles_of(const Mesh& mesh, const Range& part) {
 /// The triangles that keep light away.
 class Blockers {
  public:
-  explicit Blockers(const body::TriangleMesh& mesh) : tree_(mesh) {
-    const auto place = [&](std::uint32_t triangle, std::size_t k) {
-      return local(tree_.corner(triangle, k));
+  explicit Blockers(const body::TriangleMesh& mesh) {
+    const mesh::TriangleTree tree(mesh);
+    origin_ = tree.whole().min();
+    size_ = tree.box(1).sizes().norm();
+    first_leaf_ = tree.first_leaf();
+    first_ = std::countr_zero(first_leaf_) % 2 == 0 ? 1 : 2;
+    const auto set = [&](FourBoxes& boxes, Eigen::Index i, std::size_t node) {
+      if (!tree.box(node).isEmpty()) boxes.set(i, tree.box(node));
     };
-    triangles_.reserve(mesh.triangles.size());
-    for (std::size_t leaf = tree_.first_leaf(); leaf < 2 * tree_.first_leaf(); ++leaf) {
-      for (const mesh::TriangleTree::Item& item : tree_.items(leaf)) {
-        const Vector3f corner = place(item.triangle, 0);
-        triangles_.push_back(
-            {corner, place(item.triangle, 1) - corner, place(item.triangle, 2) - corner});
+    grandchildren_.resize(first_leaf_ / 2);
+    for (std::size_t node = 1; node < first_leaf_ / 2; ++node) {
+      for (Eigen::Index i = 0; i < 4; ++i)
+        set(grandchildren_[node], i, 4 * node + static_cast<std::size_t>(i));
+    }
+    leaves_.resize(first_leaf_);
+    for (std::size_t i = 0; i < first_leaf_; ++i) {
+      Eigen::Index k = 0;
+      for (const mesh::TriangleTree::Item& item : tree.items(first_leaf_ + i)) {
+        leaves_[i].set(k++,
+                       {local(tree.corner(item.triangle, 0)), local(tree.corner(item.triangle, 1)),
+                        local(tree.corner(item.triangle, 2))});
       }
     }
   }
 
   /// A place in the coordinates of rays.
-  Vector3f local(const Eigen::Vector3d& place) const {
-    return (place - tree_.whole().min()).cast<float>();
-  }
+  Vector3f local(const Eigen::Vector3d& place) const { return (place - origin_).cast<float>(); }
 
-  float size() const { return tree_.box(1).sizes().norm(); }
+  float size() const { return size_; }
 
   bool block(const Ray& ray) const {
-    std::array<std::size_t, 64> waiting{1};  // the tree's depth is at most 31
-    std::size_t count = 1;
+    std::array<std::size_t, 64> waiting;  // the tree's depth is at most 31
+    std::size_t count = 0;
+    for (std::size_t node = first_; node < 2 * first_; ++node) waiting.at(count++) = node;
     while (count > 0) {
       const std::size_t node = waiting.at(--count);
-      const Eigen::AlignedBox3f& box = tree_.box(node);
-      if (box.isEmpty() || !ray.meets(box)) continue;
-      if (!tree_.is_leaf(node)) {
-        waiting.at(count++) = 2 * node;
-        waiting.at(count++) = 2 * node + 1;
+      if (node >= first_leaf_) {
+        if (leaves_[node - first_leaf_].block(ray)) return true;
         continue;
       }
-      if (leaf_blocks(node, ray)) return true;
+      const auto met = grandchildren_[node].meet(ray);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (met[static_cast<Eigen::Index>(i)]) waiting.at(count++) = 4 * node + i;
+      }
     }
     return false;
   }
 
  private:
-  bool leaf_blocks(std::size_t leaf, const Ray& ray) const {
-    const auto items = tree_.items(leaf);
-    const auto first =
-        static_cast<std::size_t>(items.data() - tree_.items(tree_.first_leaf()).data());
-    const auto triangles = std::span(triangles_).subspan(first, items.size());
-    return std::ranges::any_of(triangles, [&](const Triangle& each) { return each.blocks(ray); });
-  }
-
-  mesh::TriangleTree tree_;
-  std::vector<Triangle> triangles_;  ///< In the order of the tree's items.
+  Eigen::Vector3d origin_;
+  float size_;
+  std::size_t first_leaf_;
+  /// The first node of the levels that are visited: every other one, and that of the leaves.
+  std::size_t first_;
+  std::vector<FourBoxes> grandchildren_;  ///< Of each node.
+  std::vector<FourTriangles> leaves_;
 };
 
 /// Returns for each vertex a place close to it on its triangles. In a crease the vertex itself lies
