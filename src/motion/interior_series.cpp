@@ -29,28 +29,70 @@ Sample InteriorSeries::sample(double t, const State& state) const {
   return {t, state.X, unchecked::turning_rate(body_, state.X.transpose() * body_.momentum())};
 }
 
+namespace {
+
+/// Four numbers that the processor multiplies together. Their layout is independent of compiler
+/// flags, as that of the types in math/unaligned.h.
+using Four = Eigen::Array<double, 4, 1, Eigen::DontAlign>;
+
+/// The components of a vector in the two orders that products multiply, with a fourth for the
+/// product of quaternions.
+struct Turned {
+  Four yzx, zxy;
+};
+
+Turned turned(const Vector3d& v) {
+  return {{v.y(), v.z(), v.x(), v.y()}, {v.z(), v.x(), v.y(), v.x()}};
+}
+
+/// The cross product, and a fourth number without meaning.
+Four cross(const Turned& a, const Turned& b) { return a.yzx * b.zxy - a.zxy * b.yzx; }
+
+/// A quaternion as the left factor of a product.
+struct LeftFactor {
+  Four w, yzx, zxy;
+
+  LeftFactor() = default;
+  LeftFactor(double scalar, const Vector3d& v)
+      : w(scalar, scalar, scalar, -v.z()),
+        yzx(v.y(), v.z(), v.x(), -v.x()),
+        zxy(v.z(), v.x(), v.y(), v.y()) {}
+};
+
+/// The product of a quaternion and a vector: the components x, y, z and w.
+Four product(const LeftFactor& q, const Four& xyzz, const Turned& v) {
+  return q.w * xyzz + q.yzx * v.zxy - q.zxy * v.yzx;
+}
+
+}  // namespace
+
 void InteriorSeries::expand(const State& state) {
   start_ = state;
-  std::array<Vector3d, max_taylor_order + 1> m, w, c, omega;
-  m[0] = state.X.transpose() * body_.momentum() / momentum_unit_;
-  w[0] = inverse_ * (m[0] - body_.interior().wheel / momentum_unit_);
+  std::array<Turned, max_taylor_order + 1> m, w, omega;
+  std::array<Four, max_taylor_order + 1> xyzz;  // of omega
+  std::array<LeftFactor, max_taylor_order + 1> q;
+  Vector3d momentum = state.X.transpose() * body_.momentum() / momentum_unit_;
+  Vector3d rate = inverse_ * (momentum - body_.interior().wheel / momentum_unit_);
   q_[0] = {1, Vector3d::Zero()};
   for (std::size_t k = 0;; ++k) {
-    if (k > 0) w[k] = inverse_ * m[k];
-    c[k] = Vector3d::Zero();
-    for (std::size_t j = 0; j <= k; ++j) c[k] += m[j].cross(w[k - j]);
-    omega[k] = w[k] + loss_ * c[k];
-    Vector3d change = c[k], turn = Vector3d::Zero();
-    double scalar = 0;
+    m[k] = turned(momentum);
+    w[k] = turned(rate);
+    q[k] = {q_[k].w, q_[k].v};
+    Four c = Four::Zero();
+    for (std::size_t j = 0; j <= k; ++j) c += cross(m[j], w[k - j]);
+    const Vector3d turning = rate + loss_ * c.head<3>().matrix();
+    omega[k] = turned(turning);
+    xyzz[k] = {turning.x(), turning.y(), turning.z(), turning.z()};
+    Four change = Four::Zero(), turn = Four::Zero();
     for (std::size_t j = 0; j <= k; ++j) {
-      change += loss_ * m[j].cross(c[k - j]);
-      turn += q_[j].w * omega[k - j] + q_[j].v.cross(omega[k - j]);
-      scalar -= q_[j].v.dot(omega[k - j]);
+      change += cross(m[j], omega[k - j]);
+      turn += product(q[j], xyzz[k - j], omega[k - j]);
     }
     const double next = static_cast<double>(k) + 1;
-    q_[k + 1] = {0.5 * scalar / next, 0.5 / next * turn};
+    q_[k + 1] = {0.5 / next * turn[3], 0.5 / next * turn.head<3>().matrix()};
     if (k + 1 == order_) break;
-    m[k + 1] = change / next;
+    momentum = change.head<3>().matrix() / next;
+    rate = inverse_ * momentum;
   }
   // |dX| = 2 sqrt(2) |dq| for a unit quaternion.
   const auto term = [&](std::size_t k) {

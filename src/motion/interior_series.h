@@ -11,7 +11,7 @@
 namespace twrench::motion {
 
 /// The motion of a body with a wheel or energy loss as a Taylor series in time. With m = X^T L,
-///  w = I^-1 (m - h),  c = m x w,  omega = w + a c,  m' = c + a (m x c),  q' = q omega / 2,
+///  w = I^-1 (m - h),  c = m x w,  omega = w + a c,  m' = m x omega,  q' = q omega / 2,
 /// where q is the quaternion of the rotation since the expansion point. TaylorSeries has the same
 /// functions; it is faster, but only for rigid bodies.
 class InteriorSeries {
