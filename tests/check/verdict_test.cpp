@@ -23,7 +23,7 @@ TEST(Verdict, IsRightOfEverySingleMistake) {
 
 TEST(Verdict, IsRightOfRandomConventions) {
   const ScratchFolder folder;
-  for (std::uint32_t number = 0; number < 30; ++number) {
+  for (std::uint32_t number = 0; number < 12; ++number) {
     const RandomRecording recording = random_recording(seed_of_recordings, number);
     EXPECT_EQ(fault_of_verdict(recording, folder.path()), "") << number << recording.description;
   }

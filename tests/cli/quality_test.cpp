@@ -65,7 +65,7 @@ TEST(Quality, IsWorseForALargerNumber) {
   const ScratchFolder folder;
   for (const char* format : {"mp4", "mov", "mkv", "webm"}) {
     std::uintmax_t larger = std::numeric_limits<std::uintmax_t>::max();
-    for (const char* crf : {"0", "20", "50"}) {
+    for (const char* crf : {"0", "50"}) {
       const std::string name = std::string("q") + crf + "." + format;
       const Outcome run =
           render(folder, std::string("wing-nut --no-frames --crf ") + crf + " -o " + name);

@@ -84,25 +84,31 @@ twrench.plot("a.svg", [4])
 """
 
 
-def mypy_errors(folder: Path, text: str) -> list[int]:
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What mypy keeps of the libraries from one run to the next."""
+    return tmp_path_factory.mktemp("mypy")
+
+
+def mypy_errors(folder: Path, cache: Path, text: str) -> list[int]:
     """The numbers of the lines with errors in a program."""
     file = folder / "use.py"
     file.write_text(text)
     command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports"]
-    command += ["--cache-dir", str(folder / "cache"), str(file)]
+    command += ["--cache-dir", str(cache), str(file)]
     output = subprocess.run(command, capture_output=True, text=True, cwd=PACKAGE.parent).stdout
     return sorted({int(line.split(":")[1]) for line in output.splitlines() if ": error:" in line})
 
 
-def test_mypy_accepts_right_calls_and_rejects_each_wrong_one(tmp_path):
+def test_mypy_accepts_right_calls_and_rejects_each_wrong_one(tmp_path, cache):
     pytest.importorskip("mypy")
-    assert mypy_errors(tmp_path, RIGHT) == []
-    assert mypy_errors(tmp_path, WRONG) == list(range(4, len(WRONG.splitlines()) + 1))
+    assert mypy_errors(tmp_path, cache, RIGHT) == []
+    assert mypy_errors(tmp_path, cache, WRONG) == list(range(4, len(WRONG.splitlines()) + 1))
 
 
-def test_mypy_accepts_the_package_and_sees_mistakes_of_its_users(tmp_path):
+def test_mypy_accepts_the_package_and_sees_mistakes_of_its_users(tmp_path, cache):
     pytest.importorskip("mypy")
-    mypy = [sys.executable, "-m", "mypy", "--cache-dir", str(tmp_path / "cache")]
+    mypy = [sys.executable, "-m", "mypy", "--cache-dir", str(cache)]
     mypy.append("--ignore-missing-imports")
     strict = subprocess.run([*mypy, "--strict", str(PACKAGE)], capture_output=True, text=True)
     assert strict.returncode == 0, strict.stdout
