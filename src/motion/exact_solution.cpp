@@ -150,8 +150,9 @@ void ExactSolution::prepare(const FreeBody& body) {
   // A symmetric body has no separatrix; D2 = 0 means spin about an axis in its equator. Products of
   // inertia too small to affect the moments may still tilt L by a rounding error.
   if (D2 == 0 && I[1] == I[2]) return;
-  using Kind = ExactMotion::Kind;
-  kind_ = D2 < 0 ? Kind::about_least : D2 > 0 ? Kind::about_greatest : Kind::separatrix;
+  kind_ = D2 < 0   ? ExactMotion::Kind::about_least
+          : D2 > 0 ? ExactMotion::Kind::about_greatest
+                   : ExactMotion::Kind::separatrix;
   orbit_ = orbit(G, mu, I, D2);
   orbit_.omega_from_mu = body_from_motion * (G * I.cwiseInverse()).asDiagonal();
   const Quaternion motion_from_body = Quaternion(body_from_motion).conjugate();

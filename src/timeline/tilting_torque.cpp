@@ -30,7 +30,7 @@ TiltingTorque::TiltingTorque(const scene::Scene& scene, const motion::FreeBody& 
   if (end.dot(body.inertia() * body.omega()) < 0) end = -end;
   double nearer_reach = 0, other_reach = 0;
   for (const scene::PartGroup& group : scene::part_groups(scene.body)) {
-    Element& element = elements_.emplace_back(group.name);
+    Element& element = elements_.emplace_back(Element{.name = group.name});
     for (const std::size_t i : group.parts) {
       for (const body::PointMass& point : body::equimomental_points(parts[i])) {
         points.push_back({{}, second_moment(point)});

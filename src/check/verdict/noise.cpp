@@ -20,8 +20,8 @@ void DifferenceSums::add(const DifferenceSums& other) {
 }
 
 std::optional<DifferenceSums> DifferenceTable::add(double t, const Eigen::Vector3d& value) {
-  std::ranges::rotate(times_, times_.begin() + 1);
-  std::ranges::rotate(values_, values_.begin() + 1);
+  std::shift_left(times_.begin(), times_.end(), 1);
+  std::shift_left(values_.begin(), values_.end(), 1);
   times_.back() = t;
   values_.back() = value;
   if (++count_ < times_.size()) return std::nullopt;

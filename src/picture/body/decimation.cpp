@@ -165,8 +165,7 @@ bool Decimator::keeps_topology(std::uint32_t vertex, std::uint32_t target) {
     others_.insert(others_.end(), triangles_[triangle].begin(), triangles_[triangle].end());
   }
   std::ranges::sort(others_);
-  const auto repeated = std::ranges::unique(others_);
-  others_.erase(repeated.begin(), repeated.end());
+  others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
   return std::ranges::count_if(neighbours_, [&](std::uint32_t neighbour) {
            return neighbour != target && neighbour != vertex &&
                   std::ranges::binary_search(others_, neighbour);
