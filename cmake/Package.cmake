@@ -12,7 +12,7 @@ install(EXPORT twrench NAMESPACE twrench:: FILE twrenchTargets.cmake DESTINATION
   COMPONENT development)
 configure_package_config_file(cmake/twrenchConfig.cmake.in twrenchConfig.cmake
   INSTALL_DESTINATION ${package})
-write_basic_package_version_file(twrenchConfigVersion.cmake COMPATIBILITY ${TWRENCH_COMPATIBILITY})
+write_basic_package_version_file(twrenchConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twrenchConfig.cmake ${PROJECT_BINARY_DIR}/twrenchConfigVersion.cmake
   DESTINATION ${package} COMPONENT development)
 

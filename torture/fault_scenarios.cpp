@@ -47,7 +47,7 @@ std::string objection_to_manifest(const fs::path& path) {
       const fs::path file = path.parent_path() / frame.at("file").get<std::string>();
       if (system::sha256_hex(system::read_file(file, std::size_t{1} << 26U)) !=
           frame.at("sha256").get<std::string>()) {
-        return file.filename().string() + " is not what the manifest tells of";
+        return file.filename().string() + " is not the file that the manifest records";
       }
     }
     return {};

@@ -178,7 +178,7 @@ void check(const image::Frame& frame, const scene::Scene& scene) {
   for (const auto& [x, y, width, height] : frame.damage) {
     require(x >= 0 && y >= 0 && width >= 0 && height >= 0 && x + width <= image.width &&
                 y + height <= image.height,
-            "what has changed lies beyond the picture");
+            "the changed rectangle is not within the picture");
   }
 }
 
@@ -201,7 +201,7 @@ void draw(const scene::Scene& scene, SceneDice& dice) {
     if (i == 0) {
       require(scene.look.transparent || image::encode_png(frame.image, {frame.damage, bands}) ==
                                             image::encode_png(frame.image),
-              "a frame's file depends on what is known of the frames beside it");
+              "the file of a frame depends on the frames before it");
     }
     renderer.reuse(std::move(frame));
   }

@@ -83,7 +83,7 @@ void exact_many(const ManyBodies& many, std::span<const double> times, const Man
     require_count("samples.omega", omega.size(), 3 * samples, "3 for each body and time");
   }
   if (samples == 0) return;
-  // A body with many times is shared by several threads, each of which prepares it separately.
+  // Several threads share a body with many times, and each prepares it separately.
   const std::size_t stretch = std::min(m, samples_at_once), stretches = (m + stretch - 1) / stretch;
   const std::size_t grain =
       std::max<std::size_t>(1, samples_at_once / (stretch + samples_per_body));

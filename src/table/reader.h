@@ -22,7 +22,7 @@ struct Number {
   /// For numbers in binary formats: more digits than any double has.
   static constexpr int all_digits = 1100;
 
-  double value = 0;              ///< the nearest double; infinite or NaN if the file says so
+  double value = 0;              ///< the nearest double; infinite or NaN as in the file
   int decimals = all_digits;     ///< decimal places of the number without an exponent; negative if
                                  ///< its last digit is before the units: -2 for 12e2
   int significant = all_digits;  ///< digits from the first nonzero one; 0 for zero

@@ -305,7 +305,7 @@ std::string fault_of_verdict(const RandomRecording& recording,
     const Judgement again = judge(file, reading.convention, recording.problem);
     if (again.within_noise || relative_error(again) < 1e-6) return {};
   }
-  return "what is proposed is wrong: " + description_of(found.fitting.front().convention);
+  return "the proposed convention is wrong: " + description_of(found.fitting.front().convention);
 } catch (const Error& error) {
   return error.what();
 }

@@ -127,7 +127,7 @@ TEST(Gltf, AppliesTheTransformsOfItsNodes) {
     {"mesh": 0, "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 5,0,0,1]}])");
   const MeshFile file = read_json(moved);
   EXPECT_EQ(file.components, 2U);
-  EXPECT_EQ(file.notes.size(), 0U) << "what is mirrored is not inside out";
+  EXPECT_EQ(file.notes.size(), 0U) << "a mirrored cube is not inside out";
   EXPECT_NEAR(file.shape.integrals.volume, 16e6, 1e-8);
   // The cubes' centres are (-0.5, 0.5, 0.5) and (4.5, 0.5, 0.5) in the frame of their parent.
   EXPECT_LE((file.shape.integrals.centroid - Eigen::Vector3d(1400, 100, 100)).norm(), 1e-10);

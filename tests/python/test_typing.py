@@ -86,7 +86,7 @@ twrench.plot("a.svg", [4])
 
 @pytest.fixture(scope="module")
 def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What mypy keeps of the libraries from one run to the next."""
+    """The folder of the cache that the runs of mypy share."""
     return tmp_path_factory.mktemp("mypy")
 
 

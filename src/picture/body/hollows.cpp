@@ -33,7 +33,7 @@ constexpr std::size_t most_directions = 192;  // over the whole sphere
 constexpr std::size_t least_directions = 48;
 constexpr std::size_t most_rays = 6'000'000;
 constexpr float least_cosine = 0.05F;  // grazing rays would meet the facets of a round surface
-constexpr float usual_albedo = 0.6F;   // of a part without colours of its own
+constexpr float usual_albedo = 0.6F;   // of a part without vertex colours
 
 /// Directions spread evenly over the sphere (spherical Fibonacci lattice).
 std::vector<Vector3f> directions_around(std::size_t count) {
@@ -213,7 +213,7 @@ class Blockers {
   std::size_t first_leaf_;
   /// The first node of the levels that are visited: every other one, and that of the leaves.
   std::size_t first_;
-  std::vector<FourBoxes> grandchildren_;  ///< Of each node.
+  std::vector<FourBoxes> grandchildren_;  ///< The boxes of each node's grandchildren.
   std::vector<FourTriangles> leaves_;
 };
 
