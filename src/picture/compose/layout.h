@@ -41,7 +41,7 @@ struct Layout {
     double caption;
   };
 
-  /// The caption of a shot, in a band at the bottom that everything else keeps clear of.
+  /// The caption of a shot, in a band at the bottom that nothing else enters.
   struct Caption {
     static constexpr double line_height = 1.3;  ///< em
 
