@@ -7,7 +7,7 @@ namespace twrench {
 namespace {
 
 /// Maximum length of a part of a message in bytes, a few lines of a terminal.
-constexpr std::size_t longest = 1000;
+constexpr std::size_t longest_part = 1000;
 /// A remedy may be longer, because it may list the allowed values.
 constexpr std::size_t longest_remedy = 2000;
 
@@ -35,13 +35,13 @@ std::string printable(const std::string& text, std::size_t most) {
 }  // namespace
 
 Error::Error(const std::string& what, const std::string& why, const std::string& remedy)
-    : std::runtime_error(printable(what, longest) + ": " + printable(why, longest)),
+    : std::runtime_error(printable(what, longest_part) + ": " + printable(why, longest_part)),
       remedy_(printable(remedy, longest_remedy)) {}
 
 Error::~Error() = default;
 InvalidArgument::~InvalidArgument() = default;
 OutOfRange::~OutOfRange() = default;
 
-std::string Error::quoted(const std::string& what) { return printable(what, longest); }
+std::string Error::quoted(const std::string& what) { return printable(what, longest_part); }
 
 }  // namespace twrench

@@ -145,8 +145,8 @@ void ExactSolution::prepare(const FreeBody& body) {
   const Matrix3d body_from_motion = motion_axes(principal, a, m);
   const Vector3d mu = body_from_motion.transpose() * momentum / G;
   // Below the smallest normal number D2 has no digits left.
-  constexpr double nothing = std::numeric_limits<double>::min();
-  if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < nothing || excess(I, mu, 0) == 0) return;
+  constexpr double least_normal = std::numeric_limits<double>::min();
+  if (mu[0] * mu[0] * std::abs(I[1] - I[0]) < least_normal || excess(I, mu, 0) == 0) return;
   // A symmetric body has no separatrix; D2 = 0 means spin about an axis in its equator. Products of
   // inertia too small to affect the moments may still tilt L by a rounding error.
   if (D2 == 0 && I[1] == I[2]) return;
