@@ -16,7 +16,7 @@
 #include "picture/look/emphasis.h"
 #include "picture/look/material.h"
 #include "picture/overlay/body_overlay.h"
-#include "timeline/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace twrench::interchange {
 namespace {
@@ -229,7 +229,7 @@ std::vector<Vector3d> SceneWriter::extent_in_frame() const {
   std::vector<Vector3d> points;
   for (int i = 0; i <= (frame == scene::Frame::space ? 0 : samples); ++i) {
     const motion::Sample sample = played_.at(end() * i / samples);
-    const motion::RotatingFrame now = timeline::reference_frame(frame, body_, sample);
+    const motion::RotatingFrame now = scene::reference_frame(frame, body_, sample);
     for (const Vector3d& p : overlay_.extent()) points.emplace_back(now.attitude.transpose() * p);
   }
   return points;

@@ -1,30 +1,19 @@
 #include "scene/match_cut.h"
 
 #include <twrench/math/so3.h>
-#include <twrench/motion/rotating_frame.h>
 #include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "scene/reference_frame.h"
+
 namespace twrench::scene {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d frame_from_body(Frame frame, const motion::FreeBody& body, const motion::Sample& sample) {
-  switch (frame) {
-    case Frame::space:
-      return sample.X;
-    case Frame::body:
-      return Matrix3d::Identity();
-    case Frame::rotating:
-      return motion::steady_frame(body, sample.t).attitude.transpose() * sample.X;
-  }
-  return sample.X;
-}
 
 /// Returns the attitude of the body as the camera sees it, `time` seconds of video after the start
 /// of the shot.
@@ -33,7 +22,7 @@ Matrix3d camera_from_body(const Scene& shot, double time, const motion::FreeBody
   const CameraPath& camera = shot.camera;
   const double azimuth = camera.azimuth + camera.orbit * time;
   return so3::exp(camera.elevation * Vector3d::UnitX()) * so3::exp(-azimuth * Vector3d::UnitY()) *
-         frame_from_body(camera.frame, body, sample);
+         reference_frame(camera.frame, body, sample).attitude.transpose() * sample.X;
 }
 
 std::vector<motion::Sample> samples_of(const Scene& shot, const motion::FreeBody& body,

@@ -12,8 +12,8 @@
 #include <numeric>
 
 #include "scene/interior.h"
+#include "scene/reference_frame.h"
 #include "timeline/film_timeline.h"
-#include "timeline/reference_frame.h"
 #include "timeline/smooth_share.h"
 #include "timeline/timeline.h"
 
@@ -114,10 +114,10 @@ Vector3d camera_rate(const Span& span, const motion::FreeBody& body, const motio
                      double film_time) {
   const scene::CameraPath& camera = span.scene.camera;
   const auto frame_rate = [&](scene::Frame frame) -> Vector3d {
-    const motion::RotatingFrame turning = timeline::reference_frame(frame, body, sample);
+    const motion::RotatingFrame turning = scene::reference_frame(frame, body, sample);
     return span.speed(film_time) * (turning.attitude * turning.omega);
   };
-  const Matrix3d attitude = timeline::reference_frame(camera.frame, body, sample).attitude;
+  const Matrix3d attitude = scene::reference_frame(camera.frame, body, sample).attitude;
   Vector3d rate = frame_rate(camera.frame);
   if (span.from != camera.frame) {
     const double share = timeline::smooth_share((film_time - span.begin) / span.shot->move);

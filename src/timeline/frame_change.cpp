@@ -42,8 +42,8 @@ FrameChange::FrameChange(const motion::FreeBody& body, const End& from, const En
 FrameChange::Remainder FrameChange::remainder_of(const End& end) const {
   if (end.frame != scene::Frame::body) return {};
   const Vector3d steady = steady_rate_ * axis_;
-  const Matrix3d attitude =
-      so3::exp(-end.sample.t * steady) * reference_frame(end.frame, body_, end.sample).attitude;
+  const Matrix3d attitude = so3::exp(-end.sample.t * steady) *
+                            scene::reference_frame(end.frame, body_, end.sample).attitude;
   return {attitude, end.speed * (end.sample.omega - attitude.transpose() * steady)};
 }
 
@@ -63,8 +63,8 @@ double FrameChange::angle(double share) const {
 }
 
 Matrix3d FrameChange::attitude(double time, const motion::Sample& sample) const {
-  if (time <= 0) return reference_frame(from_, body_, sample).attitude;
-  if (time >= length_) return reference_frame(to_, body_, sample).attitude;
+  if (time <= 0) return scene::reference_frame(from_, body_, sample).attitude;
+  if (time >= length_) return scene::reference_frame(to_, body_, sample).attitude;
   const double s = time / length_;
   const bool both_turn = from_ != scene::Frame::space && to_ != scene::Frame::space;
   const double about_momentum = both_turn ? steady_rate_ * sample.t : angle(s);

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "timeline/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace twrench::timeline {
 

@@ -5,7 +5,7 @@
 #include "picture/look/emphasis.h"
 #include "picture/look/force_style.h"
 #include "picture/overlay/track.h"
-#include "timeline/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace twrench::picture {
 namespace {
@@ -45,7 +45,7 @@ AxisTip::AxisTip(const scene::Scene& scene, const timeline::Solution& solution, 
     const Vector3d tip = distance() * forces_.axis();
     const auto [centrifugal, coriolis] = forces_.at(sample);
     const auto frame =
-        timeline::reference_frame(scene::Frame::rotating, solution.body, sample).attitude;
+        scene::reference_frame(scene::Frame::rotating, solution.body, sample).attitude;
     for (const Vector3d& force : {centrifugal, coriolis, Vector3d(centrifugal + coriolis)}) {
       const Vector3d end = tip + scale_ / distance() * force;
       extent_.emplace_back(frame.transpose() * (sample.X * end));

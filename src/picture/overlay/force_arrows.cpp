@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "picture/look/emphasis.h"
-#include "timeline/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace twrench::picture {
 namespace {
@@ -58,7 +58,7 @@ ForceArrows::ForceArrows(const scene::Scene& scene, const timeline::Solution& so
   const auto for_each_force = [&](const auto& visit_one) {
     for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
       const motion::Sample& sample = solution.whole[i];
-      const motion::RotatingFrame frame = timeline::reference_frame(frame_, body_, sample);
+      const motion::RotatingFrame frame = scene::reference_frame(frame_, body_, sample);
       visit(frame, sample, [&](const Vector3d& start, const Vector3d& force, Force) {
         visit_one(frame, start, force);
       });
@@ -91,7 +91,7 @@ void ForceArrows::visit(const motion::RotatingFrame& frame, const motion::Sample
 }
 
 void ForceArrows::draw(const timeline::SolutionState& instant, DrawList& opaque) const {
-  const motion::RotatingFrame frame = timeline::reference_frame(frame_, body_, instant.sample);
+  const motion::RotatingFrame frame = scene::reference_frame(frame_, body_, instant.sample);
   visit(frame, instant.sample, [&](const Vector3d& start, const Vector3d& force, Force kind) {
     const Vector3d arrow = scale_ * force;
     if (arrow.norm() < shortest_force * radius_) return;

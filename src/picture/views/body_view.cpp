@@ -7,7 +7,7 @@
 
 #include "picture/body/bounding_radius.h"
 #include "picture/compose/camera_path.h"
-#include "timeline/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace twrench::picture {
 namespace {
@@ -96,7 +96,7 @@ Framing BodyView::framing_of(const scene::Scene& scene, const timeline::Solution
   constexpr std::size_t stride = 12;  // of the samples, which are finer than needed here
   for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
     const Matrix3d frame_from_space =
-        timeline::reference_frame(frame_, motion_, solution.whole[i]).attitude.transpose();
+        scene::reference_frame(frame_, motion_, solution.whole[i]).attitude.transpose();
     for (const Eigen::Vector3d& p : overlay_.extent()) points.emplace_back(frame_from_space * p);
     if (frame_ == scene::Frame::space) break;  // there they are at rest
   }
@@ -120,7 +120,7 @@ Matrix3d BodyView::frame_at(const timeline::FrameState& state, double video_time
     const double since = state.move_time + (video_time - state.video_time);
     return state.move->change->attitude(since, sample);
   }
-  return timeline::reference_frame(frame_, motion_, sample).attitude;
+  return scene::reference_frame(frame_, motion_, sample).attitude;
 }
 
 /// Returns the attitude of the camera at a time in the video.
@@ -167,7 +167,7 @@ timeline::SolutionState BodyView::relative(const timeline::FrameState& state) co
 FixedStars::Turning BodyView::turning_in_shutter(const timeline::FrameState& state) const {
   constexpr int points = 5;
   const motion::Sample& now = state.solutions[solution_].sample;
-  const motion::RotatingFrame frame = timeline::reference_frame(frame_, motion_, now);
+  const motion::RotatingFrame frame = scene::reference_frame(frame_, motion_, now);
   FixedStars::Turning turning;
   for (int i = 0; i < points; ++i) {
     const double time = half_open_ * (2.0 * i / (points - 1) - 1);

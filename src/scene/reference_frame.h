@@ -4,10 +4,10 @@
 
 #include "scene/scene.h"
 
-namespace twrench::timeline {
+namespace twrench::scene {
 
 /// Returns the scene's frame of reference at the time of a sample of the motion.
-motion::RotatingFrame reference_frame(scene::Frame frame, const motion::FreeBody& body,
+motion::RotatingFrame reference_frame(Frame frame, const motion::FreeBody& body,
                                       const motion::Sample& sample);
 
-}  // namespace twrench::timeline
+}  // namespace twrench::scene
