@@ -10,6 +10,7 @@ namespace twrench::picture::hud_text {
 namespace {
 
 constexpr const char* thin_space = "\u2009";
+constexpr const char* below_round_off = "<10⁻¹⁵";
 
 std::string raised(int exponent) {
   static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -54,7 +55,7 @@ std::string rounded_time(double t, const TimeUnit& unit) {
 
 std::string error(double value) {
   const double size = std::abs(value);
-  if (size == 0) return "0";
+  if (size < round_off) return below_round_off;
   if (size >= 0.00995 && size < 99.5) {  // as rounded to two digits: from 0.010 to 99
     const int decimals = size < 0.0995 ? 3 : size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
     return fmt::format("{:.{}f}", size, decimals);
@@ -63,7 +64,7 @@ std::string error(double value) {
 }
 
 std::string drift(double value) {
-  if (value == 0) return "0";
+  if (std::abs(value) < round_off) return below_round_off;
   return (value < 0 ? "−" : "+") + error(value);
 }
 

@@ -14,8 +14,12 @@ std::string time(double t, double resolution, const TimeUnit& unit);
 /// Formats a time in s with three digits, or without decimals if it has more.
 std::string rounded_time(double t, const TimeUnit& unit);
 
-/// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁵" or "−0.034"; "0"
-/// for zero.
+/// An error of at least this size is formatted with its digits. The digits of smaller ones, which
+/// are round-off, would change in every frame.
+inline constexpr double round_off = 1e-15;
+
+/// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁴" or "−0.034", or
+/// as "<10⁻¹⁵" if it is round-off.
 std::string drift(double value);
 
 /// Formats the magnitude of an error: the same without the sign.

@@ -60,11 +60,13 @@ TEST(Drift, IsWrittenAsInPrint) {
   EXPECT_EQ(drift(99.6), "+1.0×10²");
   EXPECT_EQ(drift(9.96e-5), "+1.0×10⁻⁴") << "rounding carries";
   EXPECT_EQ(drift(1), "+1.0");
-  EXPECT_EQ(drift(0), "0");
-  EXPECT_EQ(drift(-0.0), "0");
+  EXPECT_EQ(drift(0), "<10⁻¹⁵");
+  EXPECT_EQ(drift(-0.0), "<10⁻¹⁵");
+  EXPECT_EQ(drift(9.9e-16), "<10⁻¹⁵") << "no digits of round-off";
   EXPECT_EQ(drift(1e300), "+1.0×10³⁰⁰");
   EXPECT_EQ(drift(std::numeric_limits<double>::infinity()), "+inf");
-  EXPECT_EQ(error(-2.3e-16), "2.3×10⁻¹⁶");
+  EXPECT_EQ(error(-2.3e-16), "<10⁻¹⁵");
+  EXPECT_EQ(error(-2.3e-15), "2.3×10⁻¹⁵");
 }
 
 TEST(Setting, IsAsShortAsCanBe) {
