@@ -8,9 +8,9 @@
 namespace twrench::picture {
 namespace {
 
-constexpr double legend_height = 1.25, least_legend = 20;                 // em of a readout
-constexpr double least_panel_width = 12, least_height = 6.5;              // em of a caption
-constexpr double gauge_height = 4.5, gauge_width = 26, least_gauge = 16;  // em of its text
+constexpr double legend_height = 1.25, least_legend = 20;                  // em of a readout
+constexpr double least_panel_width = 12, least_height = 6.5;               // em of a caption
+constexpr double gauge_height = 5.65, gauge_width = 26, least_gauge = 16;  // em of its text
 constexpr int least_over_legend = 6;    // rows of the legend, the height of the bodies above it
 constexpr int least_share = 3;          // the focus is at least a third of the pane
 constexpr double panel_share = 0.3;     // of the focus

@@ -18,7 +18,8 @@ using Align = canvas::Canvas::Align;
 
 // Lengths in em of the text.
 constexpr double heading_line = 0.75, gauge_top = 1.25, gauge_thickness = 0.6,
-                 value_below_bar = 1.15, marker_width = 0.5, marker_overhang = 0.15, side_gap = 0.4;
+                 value_below_bar = 1.15, names_below_value = 1.15, marker_width = 0.5,
+                 marker_overhang = 0.15, side_gap = 0.4;
 constexpr double gauge_margin = 1.04;  // the largest torque is inside the bar
 constexpr double empty_opacity = 0.3;
 
@@ -44,6 +45,7 @@ TorqueGauge::TorqueGauge(const scene::Scene& scene,
   value_line_ = bar_.y + bar_.height + value_below_bar * size_;
   canvas::Canvas canvas(ground_.image, ground_.x, ground_.y);
   draw_panel(canvas, *layout.torques, size_, colors);
+  name_width_ = area.width / 2.0 / size_ - side_gap;
   const double right = area.x + area.width, line = area.y + heading_line * size_;
   const auto write = [&](const std::string& text, double x, double y, const Color& color,
                          Align align) {
@@ -53,8 +55,6 @@ TorqueGauge::TorqueGauge(const scene::Scene& scene,
   write("tilts further", right, line, color_of_further(colors), Align::right);
   const std::string power = exponent_ == 0 ? "" : hud_text::setting(std::pow(10, exponent_)) + " ";
   write(power + "dyn cm", area.x + area.width / 2.0, value_line_, colors.dim, Align::centre);
-  value_width_ = area.width / 2.0 / size_ -
-                 canvas::typeset(typeface.regular, power + "dyn cm").width / 2 - side_gap;
   canvas.rectangle(bar_.x, bar_.y, bar_.width, bar_.height, {colors.dim, empty_opacity});
 }
 
@@ -91,8 +91,7 @@ std::vector<Layer> TorqueGauge::draw(const timeline::FrameState& state) {
   return layers;
 }
 
-/// Draws the bar and the value of a torque, and the names of its groups between the value and the
-/// unit.
+/// Draws the bar and the value of a torque, and the names of its groups below the value.
 void TorqueGauge::draw_side(canvas::Canvas& canvas, double torque, const std::string& names,
                             Align align) const {
   const bool is_left = align == Align::left;
@@ -100,11 +99,10 @@ void TorqueGauge::draw_side(canvas::Canvas& canvas, double torque, const std::st
   const double middle = place(0), end = place(torque);
   canvas.rectangle(std::min(middle, end), bar_.y, std::abs(end - middle), bar_.height, ink);
   const canvas::Line value = canvas::typeset(typeface_.regular, text(torque));
-  const double edge = is_left ? bar_.x : bar_.x + bar_.width, inwards = is_left ? 1 : -1;
+  const double edge = is_left ? bar_.x : bar_.x + bar_.width;
   canvas.text(value, size_, {edge, value_line_}, ink, align);
-  const double taken = value.width + side_gap;
-  canvas.text(canvas::typeset_within(typeface_.regular, names, value_width_ - taken), size_,
-              {edge + inwards * taken * size_, value_line_}, ink, align);
+  canvas.text(canvas::typeset_within(typeface_.regular, names, name_width_), size_,
+              {edge, value_line_ + names_below_value * size_}, ink, align);
 }
 
 }  // namespace twrench::picture

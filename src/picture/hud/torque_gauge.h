@@ -12,8 +12,8 @@
 namespace twrench::picture {
 
 /// The tug-of-war between the torques that tilt the body back, at the left, and those that tilt it
-/// further, at the right: a bar from the middle for each, its value with the names of the groups of
-/// parts, and a marker at their sum. The scale and the number of decimals are those of the whole
+/// further, at the right: a bar from the middle for each, its value above the names of the groups
+/// of parts, and a marker at their sum. The scale and the number of decimals are those of the whole
 /// film.
 class TorqueGauge : public Element {
  public:
@@ -32,6 +32,10 @@ class TorqueGauge : public Element {
   /// Returns a torque as the gauge states it, without its unit.
   std::string text(double torque) const;
 
+  /// Returns the width in em that the names of the groups of a side have. Longer ones are
+  /// truncated.
+  double name_width() const { return name_width_; }
+
  private:
   void draw_side(canvas::Canvas& canvas, double torque, const std::string& names,
                  canvas::Canvas::Align align) const;
@@ -44,8 +48,8 @@ class TorqueGauge : public Element {
   int exponent_ = 0;  ///< Values are multiples of this power of ten.
   int decimals_ = 0;
   image::Area bar_;
-  double value_line_;   ///< Baseline of the values.
-  double value_width_;  ///< Width in em of a value with its names.
+  double value_line_;  ///< Baseline of the values.
+  double name_width_;
   Layer ground_;
 };
 

@@ -74,6 +74,14 @@ TEST(TorqueGauge, HasDigitsOfAFiftiethOfTheHeight) {
   }
 }
 
+TEST(TorqueGauge, HasRoomForTheNamesOfSeveralGroups) {
+  for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {1280, 720}}) {
+    const Gauge gauge(with_torques(width, height));
+    const canvas::Line names = canvas::typeset(gauge.all.typeface.regular, "cross, light discs");
+    EXPECT_LE(names.width, gauge.gauge.name_width()) << width;
+  }
+}
+
 TEST(TorqueGauge, StatesTorquesWithTheDecimalsOfTheFilm) {
   const Gauge gauge(with_torques(1920, 1080));
   EXPECT_EQ(gauge.gauge.text(205.7), "+206");
