@@ -31,13 +31,13 @@ class Figures {
             }};
   }
   Readout energy_drift(std::size_t solution) const {
-    return {compact_ ? "drift" : "energy drift", "+8.8×10⁻¹⁵",
+    return {compact_ ? "drift" : "energy drift", "+8.8×10⁻¹⁴",
             [solution](const timeline::FrameState& m) {
               return hud_text::drift(m.solutions[solution].diagnostics.energy_drift);
             }};
   }
   static Readout orthogonality(std::size_t solution) {
-    return {"off SO(3)", "8.8×10⁻¹⁵", [solution](const timeline::FrameState& m) {
+    return {"off SO(3)", "8.8×10⁻¹⁴", [solution](const timeline::FrameState& m) {
               return hud_text::error(m.solutions[solution].diagnostics.orthogonality_error);
             }};
   }

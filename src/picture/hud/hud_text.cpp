@@ -10,7 +10,7 @@ namespace twrench::picture::hud_text {
 namespace {
 
 constexpr const char* thin_space = "\u2009";
-constexpr const char* below_round_off = "<10⁻¹⁵";
+constexpr const char* below_round_off = "<10⁻¹⁴";
 
 std::string raised(int exponent) {
   static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -16,10 +16,10 @@ std::string rounded_time(double t, const TimeUnit& unit);
 
 /// An error of at least this size is formatted with its digits. The digits of smaller ones, which
 /// are round-off, would change in every frame.
-inline constexpr double round_off = 1e-15;
+inline constexpr double round_off = 1e-14;
 
-/// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹⁴" or "−0.034", or
-/// as "<10⁻¹⁵" if it is round-off.
+/// Formats a relative error with its sign and two digits, for example "+1.2×10⁻¹³" or "−0.034", or
+/// as "<10⁻¹⁴" if it is round-off.
 std::string drift(double value);
 
 /// Formats the magnitude of an error: the same without the sign.

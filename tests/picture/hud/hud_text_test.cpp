@@ -46,7 +46,7 @@ TEST(Time, IsAsWideWhateverTheDigits) {
 }
 
 TEST(Drift, IsWrittenAsInPrint) {
-  EXPECT_EQ(drift(-1.2e-15), "−1.2×10⁻¹⁵");
+  EXPECT_EQ(drift(-1.2e-14), "−1.2×10⁻¹⁴");
   EXPECT_EQ(drift(3.24e2), "+3.2×10²");
   EXPECT_EQ(drift(0.5), "+0.50");
   EXPECT_EQ(drift(-0.0349), "−0.035");
@@ -60,13 +60,13 @@ TEST(Drift, IsWrittenAsInPrint) {
   EXPECT_EQ(drift(99.6), "+1.0×10²");
   EXPECT_EQ(drift(9.96e-5), "+1.0×10⁻⁴") << "rounding carries";
   EXPECT_EQ(drift(1), "+1.0");
-  EXPECT_EQ(drift(0), "<10⁻¹⁵");
-  EXPECT_EQ(drift(-0.0), "<10⁻¹⁵");
-  EXPECT_EQ(drift(9.9e-16), "<10⁻¹⁵") << "no digits of round-off";
+  EXPECT_EQ(drift(0), "<10⁻¹⁴");
+  EXPECT_EQ(drift(-0.0), "<10⁻¹⁴");
+  EXPECT_EQ(drift(9.9e-15), "<10⁻¹⁴") << "no digits of round-off";
   EXPECT_EQ(drift(1e300), "+1.0×10³⁰⁰");
   EXPECT_EQ(drift(std::numeric_limits<double>::infinity()), "+inf");
-  EXPECT_EQ(error(-2.3e-16), "<10⁻¹⁵");
-  EXPECT_EQ(error(-2.3e-15), "2.3×10⁻¹⁵");
+  EXPECT_EQ(error(-2.3e-15), "<10⁻¹⁴");
+  EXPECT_EQ(error(-2.3e-14), "2.3×10⁻¹⁴");
 }
 
 TEST(Setting, IsAsShortAsCanBe) {
