@@ -172,11 +172,13 @@ TEST(ChildProcess, IsNotInTheTerminalsGroup) {
   EXPECT_EQ(child.wait(), 0);
 }
 
-/// Whether the process is running: neither gone nor a zombie that init has yet to reap.
+/// Whether the process is running: neither gone, nor a zombie (Z) that init has yet to reap, nor
+/// one that init is reaping (X).
 bool runs(const std::string& pid) {
   try {
     const auto stat = read_file("/proc/" + pid + "/stat", 1000);
-    return std::string(stat.begin(), stat.end()).find(") Z") == std::string::npos;
+    const std::string text(stat.begin(), stat.end());
+    return text.find(") Z") == std::string::npos && text.find(") X") == std::string::npos;
   } catch (const FileError&) {
     return false;
   }
@@ -184,7 +186,10 @@ bool runs(const std::string& pid) {
 
 /// Whether the condition becomes true within half a minute.
 bool soon(const std::function<bool()>& condition) {
-  for (int i = 0; i < 3000 && !condition(); ++i) std::this_thread::sleep_for(milliseconds(10));
+  for (int i = 0; i < 3000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(milliseconds(10));
+  }
   return condition();
 }
 
