@@ -74,9 +74,11 @@ TEST(Signals, EndAWaitForFfmpegAndEndItToo) {
       run_and_signal(folder, film, "HUP", "[ -s ../hung ]", "cd d; PATH=\"$PWD/../bin:$PATH\" ");
   expect_ended(folder, run, 143, {"bin", "d", "hung"});
   EXPECT_TRUE(std::filesystem::is_empty(folder / "d"));
-  // The ffmpeg may still have an entry as a zombie, until its new parent reaps it.
-  const Outcome gone = run_shell(
-      folder, "status=/proc/$(cat hung)/status; [ ! -e $status ] || grep -q '^State:.*[ZX]' $status");
+  // Until its new parent has reaped it, the ffmpeg has an entry as a zombie (Z, then X).
+  const Outcome gone = run_shell(folder,
+                                 "for i in $(seq 3000); do grep -qs '^State:[[:space:]]*[^ZX]' "
+                                 "/proc/$(cat hung)/status || exit 0; "
+                                 "sleep 0.01; done; exit 1");
   EXPECT_EQ(gone.code, 0) << "ffmpeg goes on";
 }
 
