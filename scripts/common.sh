@@ -1,6 +1,11 @@
-# shellcheck shell=bash Messages, and checks of writable folders. Other scripts source this file.
+# shellcheck shell=bash Messages, the version, and checks of writable folders. Other scripts source this file.
 
 say() { printf 'twrench: %s\n' "$*" >&2; }
+
+# The version and the date of the release, as CMakeLists.txt in the current folder has them.
+project_version() { sed -nE 's/^project\(twrench VERSION ([0-9.]+).*/\1/p' CMakeLists.txt; }
+release_date() { sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt; }
+
 die() {
   say "error: $1"
   shift

@@ -19,9 +19,7 @@ rm -rf "$out" && mkdir -p "$out"
 cp tests/interchange/{*.mjs,*.py,package.json,package-lock.json,.npmrc} "$at"
 npm ci --prefix "$at" --ignore-scripts --loglevel=error
 
-version=$(sed -nE 's/^project\(twrench VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
-date=$(sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt)
-node "$at/project_files.mjs" "$PWD" "$version" "$date"
+node "$at/project_files.mjs" "$PWD" "$(project_version)" "$(release_date)"
 
 # export_and_check NAME BOUND SPEED DURATION [motion option or scene ...]: writes NAME.glb and checks it.
 export_and_check() {

@@ -19,10 +19,9 @@ scripts/setup.sh package
 export LC_ALL=C.UTF-8 TZ=UTC
 umask 022
 if [[ -z ${SOURCE_DATE_EPOCH-} ]]; then
-  release_date=$(sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt)
   # --git-dir excludes a repository in a folder above.
   SOURCE_DATE_EPOCH=$(git --git-dir=.git log -1 --format=%ct 2>/dev/null ||
-    date --date="$release_date" +%s)
+    date --date="$(release_date)" +%s)
 fi
 export SOURCE_DATE_EPOCH
 

@@ -19,8 +19,8 @@ case ${1-} in
     ;;
 esac
 
-version=$(sed -nE 's/^project\(twrench VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
-date=$(sed -nE 's/^set\(TWRENCH_RELEASE_DATE (.*)\)$/\1/p' CMakeLists.txt)
+version=$(project_version)
+date=$(release_date)
 git rev-parse --verify --quiet HEAD >/dev/null || die "this is not a git checkout" "clone the repository"
 [[ -z $(git status --porcelain) ]] || die "the checkout has changes that are not committed" \
   "commit them, or move them away: git stash --include-untracked"
