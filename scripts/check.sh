@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every check of a change: both commands of README.md in a bare Debian 13, the formatting of the
-# sources, the rendering tests with EGL only, the tests of threads under ThreadSanitizer, the tests under
+# Runs every check of a change: both commands of README.md and the rendering tests with EGL only in a bare Debian 13, the
+# formatting of the sources, the tests of threads under ThreadSanitizer, the tests under
 # AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone and used from outside, pages in a
 # browser, the reference pages, exported files read by other programs, the recipes of CONTRIBUTING.md followed
 # in a copy, the tests for uninitialised values under valgrind, and one minute of scripts/torture.sh.
@@ -8,7 +8,7 @@
 # Debian 13 is installed and tested beside the other steps, and pages and recipes beside the last ones: together
 # they use the processors when one of them downloads, waits or has one thread. Their outputs are printed when
 # they end. The tests of Debian 13's release build, among them those of the Python module, are not repeated
-# here. Where no Debian 13 can be installed, scripts/test.sh runs here instead.
+# here. Where no Debian 13 can be installed, scripts/test.sh and the tests with EGL run here instead.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -27,9 +27,8 @@ run_tests() {
     --parallel "$(($(nproc) + 2))" "${@:2}"  # some tests mostly wait
 }
 
-# Also builds what later steps use of the release.
-draw_over_egl() {
-  scripts/build.sh --tests release twrench twrench_python random_views gl_test draw_test golden_test
+test_release() {
+  scripts/test.sh
   TWRENCH_TEST_BACKEND=egl run_tests release --label-regex "^gl$"
 }
 
@@ -101,12 +100,11 @@ no_debian_13=$(source scripts/chroot.sh && reason_against_roots)
 step "The packages for the other checks" install_packages
 if [[ $no_debian_13 ]]; then
   say "no Debian 13: $no_debian_13"
-  step "All tests of the release build" scripts/test.sh
+  step "All tests of the release build" test_release
 else
-  start_beside debian-13 "Both commands of README.md in a bare Debian 13" scripts/distros.sh --commands trixie
+  start_beside debian-13 "Both commands of README.md in a bare Debian 13" scripts/distros.sh --tests trixie
 fi
 step "The layout of the sources" scripts/lint.sh format
-step "The tests that draw, over EGL alone" draw_over_egl
 step "The tests of the threads, under ThreadSanitizer" test_threads
 step "The tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
 start_beside pages "Pages, in a browser" scripts/page_test.sh  # which mostly waits

@@ -1,26 +1,26 @@
 #!/usr/bin/env bash
-# distros.sh [--commands] [SUITE...]: tries both commands of README.md in bare installations of Debian,
+# distros.sh [--tests] [SUITE...]: tries both commands of README.md in bare installations of Debian,
 # and prints the table of docs/platforms.md. A suite is a release that debootstrap knows, or `arm64`:
 # the core cross-compiled for that architecture in Debian 13 and tested in an emulator. Default: all
 # of them.
 #
 # In each suite root runs scripts/render.sh and writes a page in an installation of Debian's minimal base only; then a
-# user with sudo runs scripts/test.sh. With --commands that is all. Without it, the user also runs the
-# rendering tests with EGL only, scripts/render.sh, and scripts/package.sh, whose packages
+# user with sudo runs scripts/test.sh and the rendering tests with EGL only. With --tests that is all.
+# Without it, the user also runs scripts/render.sh again, and scripts/package.sh, whose packages
 # scripts/try_packages.sh then tries. The committed sources (HEAD) are tested. Takes about half an hour
-# and 3 GB per suite, ten minutes with --commands. Needs root.
+# and 3 GB per suite, ten minutes with --tests. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 source scripts/chroot.sh
-commands_only=''
-if [[ ${1-} == --commands ]]; then
-  commands_only=yes
+tests_only=''
+if [[ ${1-} == --tests ]]; then
+  tests_only=yes
   shift
 fi
 for suite; do
-  [[ $suite != -* ]] || die "distros.sh: unknown option '$suite'" "usage: distros.sh [--commands] [SUITE...]"
+  [[ $suite != -* ]] || die "distros.sh: unknown option '$suite'" "usage: distros.sh [--tests] [SUITE...]"
 done
 reason=$(reason_against_roots)
 [[ -z $reason ]] || die "distros.sh: $reason" "start it as root, for example with sudo"
@@ -59,8 +59,9 @@ counts() {
     sed "s/\$/, $skipped skipped/"
 }
 
-# try_commands SUITE ROOT: runs both commands, each for the first time; sets `film` and `tests`.
-try_commands() {
+# run_tests SUITE ROOT: runs both commands, each for the first time, and the rendering tests with EGL only; sets `film`,
+# `tests` and `egl`.
+run_tests() {
   say "$1: scripts/render.sh as root, in a bare installation"
   make_root "$2" "$1"
   put_sources "$2"
@@ -73,20 +74,21 @@ try_commands() {
   echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$2/etc/sudoers.d/someone"
   timed "$2.test.log" "$2" someone "scripts/test.sh"
   tests=$took
-  say "$1: render.sh: $film s, test.sh: $tests s, $(counts "$2.test.log")"
-  [[ "$film$tests" != *failed* ]] || failures=$((failures + 1))
+
+  timed "$2.egl.log" "$2" someone "TWRENCH_TEST_BACKEND=egl ctest \\
+    --test-dir build/release --label-regex '^gl\$' --output-on-failure --parallel $(nproc)"
+  egl=$took
+  say "$1: render.sh: $film s, test.sh: $tests s, $(counts "$2.test.log"), EGL only: $egl s, $(counts "$2.egl.log")"
+  [[ "$film$tests$egl" != *failed* ]] || failures=$((failures + 1))
 }
 
 rows=() failures=0
 try_suite() {
   local suite=$1 root=$place/$1 film tests egl again draws packages row
-  try_commands "$suite" "$root"
-  [[ -z $commands_only ]] || return 0
+  run_tests "$suite" "$root"
+  [[ -z $tests_only ]] || return 0
   draws=$(inside "$root" root "build/release/bin/twrench doctor" 2>&1 |
     awk '/^OpenGL by .* found / { sub(/^OpenGL by /, ""); sub(/ +found .*/, ""); printf "%s%s", sep, $0; sep = ", " }')
-  timed "$root.egl.log" "$root" someone "TWRENCH_TEST_BACKEND=egl ctest \\
-    --test-dir build/release --label-regex '^gl\$' --output-on-failure --parallel $(nproc)"
-  egl=$took
   timed "$root.again.log" "$root" someone "scripts/render.sh --frames 0-59 --overwrite"
   again=$took
 
@@ -99,7 +101,7 @@ try_suite() {
   row+=" | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log")"
   row+=" | $(counts "$root.egl.log") | $draws |"
   rows+=("$row")
-  [[ "$egl$again$packages" != *failed* ]] || failures=$((failures + 1))
+  [[ "$again$packages" != *failed* ]] || failures=$((failures + 1))
   say "$row"
 }
 
