@@ -32,29 +32,33 @@ RowSample read_row_sample(const std::filesystem::path& file, const Convention& c
   const auto table = table::open_table(file);
   const RowDecoder decoder(table->header(), convention, [] { return std::string(); });
   table->select(decoder.columns());
-  RowSample numbers{table->header(), decoder.columns(), {}};
+  RowSample numbers{table->header(), decoder.columns(), {}, {}};
   std::vector<table::Number> row(decoder.columns().size());
-  while (numbers.rows.size() < of_the_first && table->next(row)) numbers.rows.push_back(row);
-  const std::size_t stride = stride_of(numbers, convention);
-  std::vector<std::vector<table::Number>> kept;
-  for (std::size_t i = 0; i < numbers.rows.size() && kept.size() < enough; i += stride) {
-    kept.push_back(numbers.rows[i]);
+  while (numbers.rows.size() < of_the_first && table->next(row)) {
+    numbers.rows.push_back(row);
+    numbers.places.push_back(table->place());
   }
-  numbers.rows = std::move(kept);
-  return numbers;
+  const std::size_t stride = stride_of(numbers, convention);
+  RowSample kept{numbers.header, numbers.columns, {}, {}};
+  for (std::size_t i = 0; i < numbers.rows.size() && kept.rows.size() < enough; i += stride) {
+    kept.rows.push_back(std::move(numbers.rows[i]));
+    kept.places.push_back(std::move(numbers.places[i]));
+  }
+  return kept;
 }
 
 std::vector<Row> decoded(const RowSample& numbers, const Convention& convention) {
-  const RowDecoder decoder(numbers.header, convention, [&] { return numbers.header.file; });
-  std::vector<std::size_t> places;
+  std::size_t i = 0;
+  const RowDecoder decoder(numbers.header, convention, [&] { return numbers.places[i]; });
+  std::vector<std::size_t> order;
   for (const std::size_t column : decoder.columns()) {
-    const auto place = std::ranges::find(numbers.columns, column);
-    places.push_back(static_cast<std::size_t>(place - numbers.columns.begin()));
+    const auto found = std::ranges::find(numbers.columns, column);
+    order.push_back(static_cast<std::size_t>(found - numbers.columns.begin()));
   }
-  std::vector<table::Number> in_order(places.size());
+  std::vector<table::Number> in_order(order.size());
   std::vector<Row> rows(numbers.rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < places.size(); ++k) in_order[k] = numbers.rows[i][places[k]];
+  for (; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < order.size(); ++k) in_order[k] = numbers.rows[i][order[k]];
     decoder.decode(in_order, rows[i]);
   }
   return rows;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "check/conventions/convention.h"
@@ -17,6 +18,7 @@ struct RowSample {
   table::Header header;
   std::vector<std::size_t> columns;
   std::vector<std::vector<table::Number>> rows;
+  std::vector<std::string> places;  ///< of the rows in the file, for messages
 };
 
 /// Reads such rows. If there are only attitudes, consecutive ones are close enough to determine the
