@@ -7,7 +7,7 @@
 # library with packaging/abi.
 #   library.sh          builds the programs with each compiler and each set of flags
 #   library.sh --quick  uses each set of flags and each linkage with one compiler only, and does not test the library
-#                       itself, whose tests also run with the rest: takes less than half of the time
+#                       itself, whose tests also run with the rest
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
