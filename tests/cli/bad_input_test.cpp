@@ -236,7 +236,7 @@ TEST(BadInput, FfmpegIsMissedBeforeTheFirstFrame) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out")) << "something was written";
 }
 
-TEST(BadInput, AFullDiskIsToldByTheStandardOutput) {
+TEST(BadInput, AFullDiskIsReportedForStandardOutput) {
   const ScratchFolder folder;
   const Outcome run = run_shell(folder, "\"$TWRENCH\" simulate --times 1 >/dev/full");
   EXPECT_EQ(run.code, 5);

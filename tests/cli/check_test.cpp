@@ -310,7 +310,7 @@ TEST_F(CheckCommand, NamesAMistakeForWhatItIs) {
   }
 }
 
-TEST_F(CheckCommand, AsksForAnOptionWhereNamesLeaveItOpen) {
+TEST_F(CheckCommand, AsksForAnOptionWhereNamesAreAmbiguous) {
   ASSERT_EQ(
       run_shell(folder_, "\"$TWRENCH\" simulate " + body +
                              "--omega 0.4,1.5,0.3 --fps 10 --duration 20 --method exact | "
@@ -455,7 +455,7 @@ TEST_F(CheckCommand, KnowsNoiseFromErrors) {
   EXPECT_EQ(judged("rough.csv " + body)["finding"], "integration");
 }
 
-TEST_F(CheckCommand, SaysFromWhichRowOnTheUnitIsAnother) {
+TEST_F(CheckCommand, ReportsTheRowAtWhichTheUnitChanges) {
   simulate("e.csv", "--method exact --duration 10");
   const std::pair<std::string, std::string> cases[] = {
       {"t, *[v * (57.29577951308232 if t > 4.95 else 1) for v in w]",

@@ -428,7 +428,7 @@ TEST(Interior, WheelsAreShownSideBySide) {
 
 /// The middle axis of the T-handle is steady with a little more than the threshold, and not with a
 /// little less.
-TEST(Interior, InertiaPrintsHowMuchWheelHoldsTheMiddleAxis) {
+TEST(Interior, InertiaPrintsTheWheelThatStabilisesTheMiddleAxis) {
   const ScratchFolder folder;
   const json unstable =
       json::parse(run_twrench(folder, "inertia t-handle --format json").out)["stability"][1];

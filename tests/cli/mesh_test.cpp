@@ -202,7 +202,7 @@ TEST_F(MeshBody, InSeveralFilesIsAnInputThatNoOutputReplaces) {
   }
 }
 
-TEST_F(MeshBody, ThatIsBadIsToldInOneLine) {
+TEST_F(MeshBody, ThatIsBadIsReportedInOneLine) {
   write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   write("short.stl", std::string(90, '\0'));
   struct Bad {

@@ -90,7 +90,7 @@ TEST(Outputs, OfTwoRunsAtOnceAreNotBothDone) {
   EXPECT_EQ(text_of(folder / "new/a.mp4"), text_of(folder / "first.mp4"));
 }
 
-TEST(Outputs, AreNoInputs) {
+TEST(Outputs, AreNeverInputs) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
   const std::string scene = "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 1\n";
@@ -136,7 +136,7 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 
-TEST(Outputs, AreOneRunsAtATime) {
+TEST(Outputs, BelongToOneRunAtATime) {
   const ScratchFolder folder;
   const std::string film = "--size 160x90 ";
   const std::string same = "\"$TWRENCH\" render --progress none " + film;
@@ -151,7 +151,7 @@ TEST(Outputs, AreOneRunsAtATime) {
   EXPECT_THAT(run.err, HasSubstr("another run is writing"));
 }
 
-TEST(Outputs, AShardIsOneRunsAtATime) {
+TEST(Outputs, AShardBelongsToOneRunAtATime) {
   const ScratchFolder folder;
   const std::string shards = "--size 160x90 --fps 10 --frames-dir f ";
   const std::string other = "\"$TWRENCH\" render --progress none " + shards;
@@ -163,7 +163,7 @@ TEST(Outputs, AShardIsOneRunsAtATime) {
   EXPECT_THAT(run.err, HasSubstr("manifest.0001-of-0009.json: another run is writing it"));
 }
 
-TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
+TEST(Outputs, NamesAreChosenBeforeTheFirstFrame) {
   const ScratchFolder folder;
   fs::create_directory(folder / "folder.mp4");
   const std::string both = "render " + picture + "--frames-dir f -o ";
@@ -179,7 +179,7 @@ TEST(Outputs, NamesAreSettledBeforeTheFirstFrame) {
   EXPECT_EQ(run_twrench(folder, film_command + "-o x.MoV").code, 0);
 }
 
-TEST(Outputs, AFilmGoesToStandardOutput) {
+TEST(Outputs, AFilmIsWrittenToStandardOutput) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
   for (const char* const container : {"mp4", "mkv", "webm", "mov"}) {

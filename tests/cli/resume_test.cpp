@@ -169,7 +169,7 @@ TEST(Overwrite, FramesWithoutAManifestAreSomebodys) {
   EXPECT_EQ(run_twrench(folder, short_command + "--overwrite").code, 0);
 }
 
-TEST(Manifest, TellsOfAllRangesOfAFilm) {
+TEST(Manifest, ListsAllRangesOfAFilm) {
   ScratchFolder folder;
   const std::string range =
       "render --size 64x36 --no-video --progress none --frames-dir f --frames ";

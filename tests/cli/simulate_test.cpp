@@ -73,7 +73,7 @@ TEST(Simulate, EndsAtTheDurationWhateverTheRoundingOfTheRate) {
   }
 }
 
-TEST(Simulate, TellsTheTruthOfItsMethod) {
+TEST(Simulate, DescribesItsMethodCorrectly) {
   const ScratchFolder folder;
   const auto rows =
       rows_of(run_twrench(folder, "simulate --method euler --step 0.01 --times 10").out);
@@ -123,7 +123,7 @@ long peak_memory(int samples, const std::string& format) {
 
 // The peak does not grow with the number of samples. The size of the libraries and the number of
 // threads contribute the same to both runs.
-TEST(Simulate, HoldsNoMoreThanABlockOfSamples) {
+TEST(Simulate, KeepsAtMostABlockOfSamples) {
   constexpr int few = 20'000, many = 300'000;
   constexpr long bytes_of_a_sample = 13 * 8;  // t, X and omega, the least that could be kept
   constexpr long kept = (many - few) * bytes_of_a_sample / 1024;

@@ -95,7 +95,7 @@ TEST(StudyCommand, ASphereAndABodyAtRestAreStudiedToo) {
   EXPECT_EQ(run_twrench(folder, "study --omega 0,0,0 --duration 20 --plot b.svg").code, 0);
 }
 
-TEST(StudyCommand, WarnsOfMomentsThatNoBodyHas) {
+TEST(StudyCommand, WarnsOfImpossibleMoments) {
   const ScratchFolder folder;
   const Outcome run =
       run_twrench(folder, "study --inertia 3,5,9 --methods rkmk4 --steps 0.1 --duration 10");

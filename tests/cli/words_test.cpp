@@ -41,7 +41,7 @@ TEST(Help, OfACommandIsWhatItsOptionPrints) {
   }
 }
 
-TEST(Help, TellsDefaultsAndExitCodesInItsOwnWords) {
+TEST(Help, ListsDefaultsAndExitCodes) {
   const ScratchFolder folder;
   EXPECT_THAT(run_twrench(folder, "--help").out, HasSubstr("\n  5         a file could not be"));
   const std::string render = run_twrench(folder, "render --help-all").out;
@@ -236,7 +236,7 @@ Outcome run_as_nobody(const ScratchFolder& folder, const std::string& command) {
                    "setpriv --reuid 65534 --regid 65534 --clear-groups sh -c '" + command + "'");
 }
 
-TEST(Words, NoPermissionIsToldAsSuch) {
+TEST(Words, ReportAMissingPermission) {
   const ScratchFolder folder;
   if (::geteuid() != 0) GTEST_SKIP() << "only root can be nobody";
   std::filesystem::create_directories(folder / "closed/f");
@@ -252,7 +252,7 @@ TEST(Words, NoPermissionIsToldAsSuch) {
   std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_all);
 }
 
-TEST(Doctor, TellsWhereNothingCanBeWritten) {
+TEST(Doctor, ReportsWhereNothingCanBeWritten) {
   const ScratchFolder folder;
   EXPECT_THAT(run_twrench(folder, "doctor").out, HasSubstr(" free\n"));
   EXPECT_EQ(folder.names().size(), 2U) << "the outputs of the run alone";

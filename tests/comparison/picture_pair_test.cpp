@@ -24,7 +24,7 @@ PicturePair pair_of(const std::vector<std::uint8_t>& a, const std::vector<std::u
   return {{a, "a.png"}, {b, "b.png"}};
 }
 
-TEST(PicturePair, TellsFormatsThatDiffer) {
+TEST(PicturePair, ReportsDifferentFormats) {
   EXPECT_TRUE(pair_of(gray(10, 8), gray(10, 8)).same_format());
   const PicturePair pair = pair_of(gray(10, 8), gray(8, 10));
   EXPECT_FALSE(pair.same_format());

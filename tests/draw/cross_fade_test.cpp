@@ -15,7 +15,7 @@ image::Image levels(int channels, int shift) {
   return image;
 }
 
-TEST(CrossFade, GoesFromOnePictureToTheOther) {
+TEST(CrossFade, ChangesFromOnePictureToTheOther) {
   for (const int channels : {3, 4}) {
     image::Image from = levels(channels, 0), to = levels(channels, 90);
     for (std::size_t i = 3; channels == 4 && i < from.pixels.size(); i += 4) {

@@ -291,7 +291,7 @@ TEST_F(FilmRendererTest, ShowsTheSameStarsBeforeAndAfterTheCameraBeginsToTurn) {
   EXPECT_LT(image::compare(still, turning, 2)->share, 1e-4) << "except on the edges of the body";
 }
 
-TEST_F(FilmRendererTest, TellsWhereAFrameDiffersFromItsBackground) {
+TEST_F(FilmRendererTest, ReportsWhereAFrameDiffersFromItsBackground) {
   const scene::Scene scene = film_of_shots();
   const auto frames = drawn(scene, every_frame(scene));
   const std::vector<image::Area> everything{{0, 0, 192, 108}};

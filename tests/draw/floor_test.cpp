@@ -149,7 +149,7 @@ TEST_F(FloorTest, FadesAwayWhereAnotherPaneAdjoins) {
 }
 
 // The light moves with the camera and, here, with the body; the floor does not.
-TEST_F(FloorTest, IsSeenToStandStillUnderAMovingCamera) {
+TEST_F(FloorTest, IsAtRestUnderAMovingCamera) {
   const auto seen = [&](double azimuth, double orbit) {
     scene::Scene scene = t_wrench(320, 180);
     scene.camera.azimuth = azimuth;

@@ -78,7 +78,7 @@ TEST_F(RendererTest, DrawsNothingOfABodyBesideThePicture) {
   }
 }
 
-TEST_F(RendererTest, PutsBodyPointsWhereItsMatricesSay) {
+TEST_F(RendererTest, DrawsBodyPointsWhereItsMatricesMapThem) {
   PoseRenderer renderer(*context, transparent());
   for (int i = 0; i < 12; ++i) {
     const Matrix3d X = turned(0.4 * i + 0.1, {1.0, 0.3 * i, -0.5});
@@ -114,7 +114,7 @@ TEST_F(RendererTest, ShowsNoGapWhereTheLegMeetsTheHandle) {
   }
 }
 
-TEST_F(RendererTest, TellsAPoseFromItsTranspose) {
+TEST_F(RendererTest, DistinguishesAPoseFromItsTranspose) {
   PoseRenderer renderer(*context, t_wrench());
   const Matrix3d X = turned(0.8, {1, 2, 3});
   EXPECT_GT(mean_difference(renderer.draw(X), renderer.draw(X.transpose())), 3);

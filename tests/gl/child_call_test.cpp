@@ -48,7 +48,7 @@ TEST(ChildCall, ReportsACrash) {
   EXPECT_THAT(error_of(exit).what(), HasSubstr("its driver crashes (exit status 1)"));
 }
 
-TEST(ChildCall, IsKilledWhenNobodyWaits) {
+TEST(ChildCall, IsKilledWhenItsOwnerDoesNotWait) {
   const ChildCall endless([]() -> std::string {
     while (true) ::pause();
   });

@@ -160,7 +160,7 @@ TEST_F(ReadModeTest, DecidesWhetherPixelsAreThere) {
   EXPECT_TRUE(at_once.begin_read({0, 0, 4, 4}).is_ready());
 }
 
-TEST_F(ReadModeTest, TellsOfPixelsThatAreLost) {
+TEST_F(ReadModeTest, ReportsLostPixels) {
   const Drawn buffered(gl, 1, ReadMode::buffered);
   Readback readback = buffered.begin_read({0, 0, 4, 4});
   gl.UnmapBuffer = [](GLenum) -> GLboolean { return GL_FALSE; };

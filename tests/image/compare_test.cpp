@@ -73,7 +73,7 @@ TEST(Compare, SixteenBitsTellPartsOfAStep) {
   EXPECT_THAT(difference_image(a, b).pixels, ElementsAre(0, 0, 0, 0, 255, 0));
 }
 
-TEST(Compare, TellsWhereItIs) {
+TEST(Compare, ReportsItsPlace) {
   const Image a = flat(5, 4, 3, 100);
   Image b = a;
   EXPECT_EQ(compare(a, b, 0)->area, Area());

@@ -23,7 +23,7 @@ TEST(Topology, OfClosedSurfacesIsBalanced) {
   EXPECT_EQ(found.component[12], 1U);
 }
 
-TEST(Topology, TellsWhichEdgesAreWhat) {
+TEST(Topology, ClassifiesEdges) {
   body::TriangleMesh mesh = cube({0, 0, 0}, 1);
   mesh.triangles.erase(mesh.triangles.begin());  // from vertex 0 to 3 to 2
   const Topology open = topology(mesh);

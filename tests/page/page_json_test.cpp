@@ -68,7 +68,7 @@ double volume_within(const ordered_json& surface) {
   return volume;
 }
 
-TEST(PageJson, HoldsTheSurfaceOfTheBody) {
+TEST(PageJson, ContainsTheSurfaceOfTheBody) {
   const ordered_json surface = json_of(scene::load_scene("sphere")).at("surface");
   EXPECT_DOUBLE_EQ(surface.at("radius"), 1);
   EXPECT_NEAR(volume_within(surface), 4 * std::numbers::pi / 3, 0.01);
@@ -85,7 +85,7 @@ TEST(PageJson, PacksIntegersOfAnySize) {
   EXPECT_EQ(unpacked<std::uint32_t>(packed(std::vector<std::uint32_t>(), 1), 1).size(), 0U);
 }
 
-TEST(PageJson, TellsWhichPartsTouch) {
+TEST(PageJson, ListsThePartsThatTouch) {
   const ordered_json surface = json_of(scene::load_scene("dzhanibekov")).at("surface");
   const ordered_json &leg = surface.at("parts").at(1), &model = surface.at("model");
   EXPECT_EQ(surface.at("occluder_count"), 1);
@@ -98,7 +98,7 @@ TEST(PageJson, TellsWhichPartsTouch) {
   EXPECT_FALSE(surface.at("marked"));
 }
 
-TEST(PageJson, TellsWhichPartsAreFoil) {
+TEST(PageJson, ListsThePartsThatAreFoil) {
   const ordered_json book = json_of(scene::load_scene("book")).at("surface").at("model");
   const ordered_json wrench = json_of(scene::load_scene("dzhanibekov")).at("surface").at("model");
   const std::size_t foil = 2 + 14, part = 16;  // the book has no occluders
@@ -187,7 +187,7 @@ TEST(PageJson, CountsTheTrianglesOfAllMeshesTogether) {
   EXPECT_GT(surface.simplification->drawn, 15'000U);
 }
 
-TEST(PageJson, HoldsTheInertiaRowByRow) {
+TEST(PageJson, ContainsTheInertiaRowByRow) {
   const scene::Scene scene = scene::load_scene("dzhanibekov");
   const Eigen::Matrix3d inertia = scene::mass_properties(scene.body).inertia;
   const auto numbers = json_of(scene).at("inertia").get<std::vector<double>>();
@@ -247,7 +247,7 @@ TEST(PageTemplate, HasAFigureAndWordsForEachInset) {
   }
 }
 
-TEST(PageJson, HoldsWhatMovesInTheBody) {
+TEST(PageJson, ContainsTheInteriorOfTheBody) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
   EXPECT_FALSE(json_of(scene).at("scene").at("motion").contains("wheel"));
   scene.motion.wheel = Vector3d(1, 2, 3);

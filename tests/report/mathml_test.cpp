@@ -23,7 +23,7 @@ TEST(MathMl, HasScripts) {
   EXPECT_EQ(mathml("W'"), R"(<mrow><mi>W</mi><mo lspace="0" rspace="0">′</mo></mrow>)");
 }
 
-TEST(MathMl, TellsASignFromADifference) {
+TEST(MathMl, DistinguishesASignFromADifference) {
   const std::string sign = R"(<mo form="prefix" stretchy="false">−</mo>)";
   EXPECT_THAT(mathml("I^{-1}"), HasSubstr(sign));
   EXPECT_THAT(mathml(R"(\exp(-h))"), HasSubstr(sign));

@@ -190,7 +190,7 @@ TEST_F(MeshPart, IsAnInputOfTheScene) {
               ElementsAre("f.ttf", folder_ / "t.obj", "f.ttf", folder_ / "u.obj"));
 }
 
-TEST_F(MeshPart, OfABadFileIsToldWithItsPlace) {
+TEST_F(MeshPart, OfABadFileIsReportedWithItsPlace) {
   write("t.obj", tetrahedron);
   const std::string place = "some.toml:3: part[0].file: ";
   EXPECT_THAT(refused<system::FileError>("unit = 'cm'\ndensity = 1", "none.obj"),

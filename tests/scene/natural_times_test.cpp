@@ -193,7 +193,7 @@ TEST(NaturalTimes, HaveBounds) {
   }
 }
 
-TEST(NaturalTimes, ResolveTheFastFlipsOfMomentsThatNoBodyHas) {
+TEST(NaturalTimes, ResolveTheFastFlipsOfImpossibleMoments) {
   // A turn about the intermediate axis takes 6.28 s, but the body turns at 1000 rad/s in a flip.
   const NaturalTimes times = times_of({1e-6, 1, 1e6}, {1e-3, 1, 0});
   EXPECT_LT(times.step, 1e-4);

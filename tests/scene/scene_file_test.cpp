@@ -236,7 +236,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.place;
 
 class SceneMistake : public testing::TestWithParam<Mistake> {};
 
-TEST_P(SceneMistake, IsToldWithItsPlace) {
+TEST_P(SceneMistake, IsReportedWithItsPlace) {
   try {
     parse_scene(GetParam().text, "bad.toml");
     FAIL() << GetParam().text;

@@ -226,7 +226,7 @@ void PrintTo(const BadShot& bad, std::ostream* out) { *out << bad.text; }
 
 class ShotMistake : public testing::TestWithParam<BadShot> {};
 
-TEST_P(ShotMistake, IsToldWithItsShotAndLine) {
+TEST_P(ShotMistake, IsReportedWithItsShotAndLine) {
   const std::string text = film + "[[shot]]\nlength = 2\n[shot.overlay]\nview = 'wrench'\n" +
                            "[[shot]]\n" + GetParam().text;
   try {

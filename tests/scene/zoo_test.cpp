@@ -106,7 +106,7 @@ TEST(Zoo, ExplorerTipsOverWithinOneOrbit) {
   EXPECT_NEAR(explorer.shots.back().start, orbit, 30.0);
 }
 
-TEST(Zoo, AWheelAboveTheThresholdHoldsTheMiddleAxis) {
+TEST(Zoo, AWheelAboveTheThresholdStabilisesTheMiddleAxis) {
   for (const char* name : {"dual-spin", "t-handle-wheel"}) {
     const Scene scene = load_scene(name);
     const std::vector<motion::FreeBody> bodies = shown_bodies(scene);

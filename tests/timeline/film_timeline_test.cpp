@@ -85,7 +85,7 @@ TEST(FilmTimeline, EachShotHasItsOwnClock) {
   EXPECT_EQ(motion_time(film.frame(50).state), 30);
 }
 
-TEST(FilmTimeline, ThePreviousShotGoesOnWhileItIsSeen) {
+TEST(FilmTimeline, ThePreviousShotContinuesWhileItIsVisible) {
   const scene::Scene scene = story_of_three();
   const FilmTimeline film(scene, frames_of_all_shots(scene));
   const FilmFrame first = film.frame(20);
@@ -115,7 +115,7 @@ TEST(FilmTimeline, FadesAndCameraMovesStartAndEndGently) {
   EXPECT_DOUBLE_EQ(film.frame(38).moved, 0.972);
 }
 
-TEST(FilmTimeline, OneCaptionGoesBeforeAnotherComes) {
+TEST(FilmTimeline, OneCaptionDisappearsBeforeTheNextAppears) {
   const scene::Scene scene = story_of_three();
   const FilmTimeline film(scene, frames_of_all_shots(scene));
   for (int i = 20; i < 30; ++i) {

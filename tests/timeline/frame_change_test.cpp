@@ -133,7 +133,7 @@ TEST(FrameChange, SpinsUpAndStopsWithoutTurningBackwards) {
   }
 }
 
-TEST(FrameChange, ConnectsTheFramesOfAMotionThatStandsStill) {
+TEST(FrameChange, ConnectsTheFramesOfABodyAtRest) {
   const motion::FreeBody body(Vector3d(3, 4, 5).asDiagonal(), {0, 1, 0});
   const Change change(body, Frame::space, Frame::rotating, 1.25, 0, 2);
   EXPECT_LT((change.attitude(1e-9) - Matrix3d::Identity()).norm(), 1e-6);

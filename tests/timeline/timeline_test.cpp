@@ -55,7 +55,7 @@ TEST(Timeline, AMomentDoesNotDependOnTheOtherFrames) {
   }
 }
 
-TEST(Timeline, CountsFlipsAndForetellsTheNext) {
+TEST(Timeline, CountsFlipsAndPredictsTheNext) {
   const scene::Scene scene = turning_over();
   const Timeline timeline(scene, all_frames(scene));
   // First flip at 11.8154 s, then every 23.6307 s; a frame is 0.1 s.
@@ -138,7 +138,7 @@ TEST(Timeline, ShowsEachComparedMethodsOwnDrift) {
   EXPECT_LT(std::abs(state.solutions[1].diagnostics.energy_drift), 1e-13);
 }
 
-TEST(Timeline, TellsOfABodyAtRest) {
+TEST(Timeline, DescribesABodyAtRest) {
   scene::Scene scene = turning_over();
   scene.motion.omega.setZero();
   const SolutionState instant = Timeline(scene, {100}).frame_state(0).solutions[0];
