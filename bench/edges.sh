@@ -6,7 +6,10 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/common.sh
 bin=build/release/bin
+[[ -x $bin/edge_error ]] || die "edges.sh: $bin/edge_error is missing" \
+  "build it: cmake --preset release -D TWRENCH_BENCH=ON && ninja -C build/release edge_error twrench"
 size=${1:-1920x1080}
 scenes=("${@:2}")
 [[ ${#scenes[@]} -gt 0 ]] || scenes=(dzhanibekov wing-nut hammer)
