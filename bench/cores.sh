@@ -1,26 +1,15 @@
 #!/usr/bin/env bash
-# cores.sh [--frames N] [--rounds N] [--size WxH] Times the default film on 1, 2, 4, 8 and 16 processors, as far as there
-# are so many: by one process, and by several that each draw and encode a part of it on a processor or two of
-# their own, whose films ffmpeg then joins without encoding them again. The ways alternate in one run. Prints
-# the medians in milliseconds per frame, and the stages of one process.
+# cores.sh [--frames N] [--rounds N] [--size WxH] Times the default film on 1, 2, 4, 8 and 16 processors, up to the
+# number that the machine has: with one process, and with several. Each of several draws and encodes a part
+# of the film on one processor or on two, and ffmpeg joins the parts without encoding them again. Both ways
+# alternate in one run. Prints the medians in milliseconds per frame, and the stages of one process.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 twrench=${TWRENCH:-build/release/bin/twrench}
 frames=480 rounds=3 size=1920x1080
-while (($#)); do
-  case "$1" in
-    --frames) frames=$2 ;;
-    --rounds) rounds=$2 ;;
-    --size) size=$2 ;;
-    *) echo "usage: $0 [--frames N] [--rounds N] [--size WxH]" >&2; exit 2 ;;
-  esac
-  shift 2
-done
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-times=$folder/times.txt
 source bench/timing.sh
+read_options "[--frames N] [--rounds N] [--size WxH]" "$@"
 
 # film FIRST LAST PROCESSORS NAME [OPTION...]: draws and encodes these frames of the default film.
 film() {

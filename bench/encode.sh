@@ -9,19 +9,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 twrench=build/release/bin/twrench
 frames=240 rounds=5 before=''
-while (($#)); do
-  case "$1" in
-    --frames) frames=$2 ;;
-    --rounds) rounds=$2 ;;
-    --before) before=$2 ;;
-    *) echo "usage: $0 [--frames N] [--rounds N] [--before TWRENCH]" >&2; exit 2 ;;
-  esac
-  shift 2
-done
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-times=$folder/times.txt
 source bench/timing.sh
+read_options "[--frames N] [--rounds N] [--before TWRENCH]" "$@"
 
 render=("$twrench" render --size 1920x1080 --overwrite --progress none)
 "${render[@]}" --frames "0-$((frames - 1))" --no-video --frames-dir "$folder/frames"

@@ -10,20 +10,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 twrench=build/release/bin/twrench
 frames=240 rounds=3 before='' vtk=''
-while (($#)); do
-  case "$1" in
-    --frames) frames=$2 ;;
-    --rounds) rounds=$2 ;;
-    --before) before=$2 ;;
-    --vtk) vtk=$2 ;;
-    *) echo "usage: $0 [--frames N] [--rounds N] [--before TWRENCH] [--vtk SCRIPT]" >&2; exit 2 ;;
-  esac
-  shift 2
-done
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-times=$folder/times.txt
 source bench/timing.sh
+read_options "[--frames N] [--rounds N] [--before TWRENCH] [--vtk SCRIPT]" "$@"
 
 # frames_of BINARY OPTIONS... and film BINARY OPTIONS...: draw the frames, and render the video.
 frames_of() {

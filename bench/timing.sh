@@ -1,6 +1,20 @@
-# For scripts that compare programs, which source this file: times commands, and reduces the times
-# of several rounds to medians. $times is the file of the times. shellcheck shell=bash
-# disable=SC2154
+# shellcheck shell=bash
+# For scripts that compare programs, which source this file: reads their options, times commands, and
+# reduces the times of several rounds to medians. $folder is removed at the end.
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+times=$folder/times.txt
+
+# read_options USAGE "$@": sets a variable for each option, such as frames for [--frames N] in USAGE.
+read_options() {
+  local usage=$1
+  shift
+  while (($#)); do
+    [[ $# -gt 1 && $1 == --* && $usage == *"[$1 "* ]] || { echo "usage: $0 $usage" >&2; exit 2; }
+    printf -v "${1#--}" %s "$2"
+    shift 2
+  done
+}
 
 # timed NAME FRAMES COMMAND...: adds a line with the wall and processor time per frame in ms.
 timed() {
