@@ -102,7 +102,7 @@ if [[ $no_debian_13 ]]; then
   say "no Debian 13: $no_debian_13"
   step "All tests of the release build" test_release
 else
-  start_beside debian-13 "Both commands of README.md in a bare Debian 13" scripts/distros.sh --tests trixie
+  start_beside debian-13 "Both commands of README.md, and the tests with EGL only, in a bare Debian 13" scripts/distros.sh --tests trixie
 fi
 step "The layout of the sources" scripts/lint.sh format
 step "The tests of the threads, under ThreadSanitizer" test_threads
