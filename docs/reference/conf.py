@@ -53,6 +53,7 @@ autodoc_type_aliases = {
         "Rows",
         "ShapeName",
         "StrPath",
+        "LanguageName",
         "SoundName",
         "ThemeName",
         "TimeUnit",

@@ -54,6 +54,7 @@ std::map<std::string, std::vector<std::string>> names_of_values() {
   std::vector<std::string> methods;
   for (const motion::Method& method : motion::methods()) methods.emplace_back(method.name);
   return {{"MethodName", methods},
+          {"LanguageName", enumerator_names<scene::Language>()},
           {"SoundName", enumerator_names<scene::Sound>()},
           {"ThemeName", enumerator_names<scene::Theme>()},
           {"MaterialName", scene::material_names()},
@@ -103,8 +104,9 @@ void add_scenes(py::module_& module) {
           [](const std::string& name, const std::optional<std::string>& language) {
             const py::gil_scoped_release others_run;
             return on_scene([&] {
-              return language ? scene::load_scene(name, *language, "language")
-                              : scene::load_scene(name);
+              if (!language) return scene::load_scene(name);
+              const auto wanted = find_enumerator<scene::Language>(*language, "language");
+              return scene::load_scene(scene::story_in(wanted, name, "language"));
             });
           },
           py::arg("name"), py::arg("language") = py::none())

@@ -24,6 +24,7 @@ MethodName = Literal[
     "taylor",
     "exact",
 ]
+LanguageName = Literal["en", "nb"]
 SoundName = Literal["none", "motion"]
 ThemeName = Literal["studio", "paper", "space"]
 MaterialName = Literal["steel", "brass", "wood", "plastic", "rubber", "rock", "paper"]

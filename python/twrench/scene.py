@@ -38,6 +38,7 @@ from .names import (
     ExportFormat,
     FeatureName,
     FrameName,
+    LanguageName,
     MaterialName,
     MethodName,
     Numbers,
@@ -177,8 +178,8 @@ class Scene:
 
     :param source: name of a built-in scene, or path of a scene file or of a mesh in OBJ, STL, PLY
         or glTF. A mesh spins about its intermediate axis, or wobbles if it is symmetric.
-    :param language: code of the language of the captions and the title of a built-in story, en or
-        nb; None for the language of the scene.
+    :param language: code of the language of the words in the picture, en or nb. A built-in story is
+        also told in that language.
     :param unit: unit of a mesh that is not glTF: mm, cm, m, inch or km.
     :param scale: centimetres per unit of a mesh, instead of ``unit``.
     :param weld: distance in cm up to which vertices of a mesh are joined.
@@ -204,6 +205,7 @@ class Scene:
     """
 
     title = _Value[str]()
+    language = _Value[LanguageName]()
     omega = _Value[Vector]()
     attitude = _Attitude("attitude")
     wheel = _Wheel()
@@ -247,7 +249,6 @@ class Scene:
         self,
         source: StrPath = "dzhanibekov",
         *,
-        language: str | None = None,
         unit: UnitName | None = None,
         scale: float | None = None,
         weld: float | None = None,
@@ -256,6 +257,7 @@ class Scene:
         mass: float | None = None,
         body: Body = UNSET,
         title: str = UNSET,
+        language: LanguageName = UNSET,
         omega: Numbers = UNSET,
         attitude: Attitude = UNSET,
         wheel: Numbers = UNSET,
@@ -310,13 +312,13 @@ class Scene:
             "density": density,
             "mass": mass,
         }
-        if language is None and _native.is_mesh_name(name):
+        if _native.is_mesh_name(name):
             self._native = _scene_of_mesh(name, of_mesh)
             self._of_mesh = of_mesh
         else:
             _require_no_mesh_values(name, of_mesh)
             self._native = _native.Scene.load(
-                name, None if language is None else _arguments.text("language", language)
+                name, None if language is UNSET else _arguments.text("language", language)
             )
         for note in self._native.notes():
             warnings.warn(note, stacklevel=2)

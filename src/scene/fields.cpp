@@ -310,6 +310,9 @@ const std::vector<Field>& fields() {
                   {"", "title", "TEXT", "title, a caption in the picture"}, any_text(),
                   [](auto& s) -> auto& { return s.title; }),
               &Origins::title),
+      choice<Language>(
+          {"", "language", "CODE", "language of the words in the picture"},
+          [](auto& s) -> auto& { return s.language; }),
 
       complete<vector>(
           {"motion", "omega", "X,Y,Z", "initial angular velocity in body axes, rad/s"},

@@ -1,57 +1,35 @@
 #include "scene/languages.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+
+#include "base/enumeration.h"
 
 namespace twrench::scene {
 namespace {
 
-constexpr const char* english = "en";
+/// The names of one story in the languages, in the order of Language; empty where it is not told.
+using Story = std::array<std::string_view, enumerators<Language>.size()>;
 
-/// A built-in scene with the text of another one in a language other than English.
-struct Translation {
-  const char* original;
-  const char* language;
-  const char* name;
-};
-
-constexpr std::array translations{Translation{"explain", "nb", "explain-nb"}};
-
-/// The English scene of a translation, or the name itself.
-std::string original_of(const std::string& name) {
-  const auto* found = std::ranges::find(translations, name, &Translation::name);
-  return found == translations.end() ? name : found->original;
-}
+constexpr std::array stories{Story{"explain", "explain-nb"}, Story{"explain-short", ""},
+                             Story{"explorer-1", ""}};
 
 }  // namespace
 
-std::vector<std::string> languages() {
-  std::vector<std::string> codes{english};
-  for (const Translation& translation : translations) codes.emplace_back(translation.language);
-  return codes;
-}
-
-Scene load_scene(const std::string& name, const std::string& language, const std::string& what) {
-  if (is_scene_file(name)) {
-    throw InvalidArgument(what, name + " has one language, that of its file",
-                          fmt::format("leave it out; built-in stories have text in {}",
-                                      fmt::join(languages(), " and ")));
+std::string story_in(Language language, const std::string& name, const std::string& what) {
+  for (const Story& story : stories) {
+    if (std::ranges::find(story, name) == story.end()) continue;
+    const std::string_view told = story[static_cast<std::size_t>(language)];
+    if (!told.empty()) return std::string(told);
+    throw InvalidArgument(what,
+                          fmt::format("{} is not told in '{}'", name, enumerator_name(language)),
+                          "leave it out, or take the story 'explain'");
   }
-  Scene scene = load_scene(name);
-  const std::string original = original_of(name);
-  std::vector<std::string> known{english};
-  if (language == english) return original == name ? scene : load_scene(original);
-  for (const Translation& translation : translations) {
-    if (translation.original != original) continue;
-    if (translation.language == language) return load_scene(translation.name);
-    known.emplace_back(translation.language);
-  }
-  throw InvalidArgument(what, fmt::format("{} has no text in '{}', only in {}", name, language,
-                                          fmt::join(known, " and ")));
+  return name;
 }
 
 }  // namespace twrench::scene

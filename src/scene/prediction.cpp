@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/enumeration.h"
 #include "base/time_unit.h"
+#include "scene/phrase.h"
 
 namespace twrench::scene {
 
@@ -16,17 +16,27 @@ std::string axis_name(const Eigen::Matrix3d& axes, int axis) {
 }
 
 std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,
-                       double omega) {
+                       double omega, Language language) {
   using Kind = motion::Stability::Kind;
   const motion::Stability stability = motion::stability(principal.moments, axis, omega);
-  const std::string about =
-      fmt::format("{} about {}", enumerator_name(stability.kind), axis_name(principal.axes, axis));
-  if (stability.kind == Kind::neutral) return about;
-  const bool grows = stability.kind == Kind::unstable;
-  const double time = grows ? stability.doubling_time() : stability.period();
-  const TimeUnit unit = time_unit(time);
-  return fmt::format("{}, {} every {:.3g} {} at {:.3g} rad/s", about, grows ? "doubles" : "wobbles",
-                     time / unit.length, unit.symbol, omega);
+  const std::string name = axis_name(principal.axes, axis);
+  const auto every = [&](const Phrase& phrase, double time) {
+    const TimeUnit unit = time_unit(time);
+    return phrase.in(language, name, time / unit.length, unit.symbol, omega);
+  };
+  switch (stability.kind) {
+    case Kind::neutral:
+      return Phrase("neutral about {}", "nøytral om {}").in(language, name);
+    case Kind::unstable:
+      return every({"unstable about {}, doubles every {:.3g} {} at {:.3g} rad/s",
+                    "ustabil om {}, dobles på {:.3g} {} ved {:.3g} rad/s"},
+                   stability.doubling_time());
+    case Kind::stable:
+      return every({"stable about {}, wobbles every {:.3g} {} at {:.3g} rad/s",
+                    "stabil om {}, slingrer på {:.3g} {} ved {:.3g} rad/s"},
+                   stability.period());
+  }
+  return {};
 }
 
 }  // namespace twrench::scene

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "scene/scene.h"
+
 namespace twrench::scene {
 
 /// Returns the name of the principal axis with that index: that of the body axis with which it
@@ -14,6 +16,6 @@ std::string axis_name(const Eigen::Matrix3d& axes, int axis);
 /// Describes the effect of a small tilt on a body that rotates about a principal axis at `omega`
 /// rad/s, such as "unstable about x, doubles every 1.88 s at 1 rad/s".
 std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,
-                       double omega);
+                       double omega, Language language = Language::en);
 
 }  // namespace twrench::scene

@@ -141,6 +141,9 @@ struct Film {
   double time_of(int frame) const { return frame * speed / fps; }
 };
 
+/// A language of the words in the picture, by its ISO 639-1 code: English or Norwegian (bokmål).
+enum class Language { en, nb };
+
 /// The finish of the picture: material, lights, background and overlay colours.
 enum class Theme { studio, paper, space };
 
@@ -298,6 +301,8 @@ struct Scene {
   std::string name;
   /// Title shown in the picture; may be empty.
   std::string title;
+  /// Language of the words in the picture, except those that the scene gives.
+  Language language = Language::en;
   /// The rigid body.
   Body body;
   /// Its motion.

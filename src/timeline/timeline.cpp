@@ -7,9 +7,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <string_view>
 
 #include "scene/limits.h"
+#include "scene/phrase.h"
 #include "study/reference.h"
 
 namespace twrench::timeline {
@@ -82,30 +82,32 @@ std::string rounded(double value) {
 
 /// ", middle" if one of the moments about the body's axes is smaller than that about `axis` and the
 /// other greater, and likewise for the least and the greatest; nothing if two are equal.
-std::string_view rank_of(Eigen::Index axis, const Eigen::Vector3d& moments) {
+std::string rank_of(Eigen::Index axis, const Eigen::Vector3d& moments, scene::Language language) {
   constexpr double equal = 1e-6;
   const double own = moments[axis];
   const auto differing = (moments.array() - own).abs() > equal * own;
   if (differing.count() < 2) return "";
-  constexpr std::array<std::string_view, 3> names{", least", ", middle", ", greatest"};
-  return names.at(static_cast<std::size_t>((moments.array() < own).count()));
+  constexpr std::array<scene::Phrase, 3> names{
+      {{", least", ", minst"}, {", middle", ", midterst"}, {", greatest", ", størst"}}};
+  return names.at(static_cast<std::size_t>((moments.array() < own).count())).in(language);
 }
 
 /// "x, middle, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its
 /// moment of inertia; otherwise omega.
-std::string name_of_start(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia) {
+std::string name_of_start(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia,
+                          scene::Language language) {
   Eigen::Index axis = 0;
   constexpr double near = 0.95;
   if (omega.isZero(0.0) || omega.cwiseAbs().maxCoeff(&axis) < near * omega.norm()) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
   }
-  return fmt::format("{}{}, {} g cm²", "xyz"[axis], rank_of(axis, inertia.diagonal()),
+  return fmt::format("{}{}, {} g cm²", "xyz"[axis], rank_of(axis, inertia.diagonal(), language),
                      rounded(inertia(axis, axis)));
 }
 
 /// "h 300 g cm²/s" for a wheel along a body axis, because a legend is narrow; "no wheel".
-std::string name_of_wheel(const Eigen::Vector3d& wheel) {
-  if (wheel.isZero(0.0)) return "no wheel";
+std::string name_of_wheel(const Eigen::Vector3d& wheel, scene::Language language) {
+  if (wheel.isZero(0.0)) return scene::Phrase("no wheel", "uten hjul").in(language);
   Eigen::Index axis = 0;
   if (wheel.cwiseAbs().maxCoeff(&axis) == wheel.norm()) {
     return fmt::format("h {} g cm²/s", rounded(wheel[axis]));
@@ -131,8 +133,12 @@ Solution solution_of(const scene::Scene& scene, const motion::StepControl& contr
 
 /// Returns the name of a motion among those shown side by side; the method if there are no others.
 std::string name_of(const scene::Scene& scene, const motion::FreeBody& body) {
-  if (!scene.overlay.compare_omega.empty()) return name_of_start(body.omega(), body.inertia());
-  if (!scene.overlay.compare_wheel.empty()) return name_of_wheel(body.interior().wheel);
+  if (!scene.overlay.compare_omega.empty()) {
+    return name_of_start(body.omega(), body.inertia(), scene.language);
+  }
+  if (!scene.overlay.compare_wheel.empty()) {
+    return name_of_wheel(body.interior().wheel, scene.language);
+  }
   return scene.motion.method;
 }
 

@@ -69,7 +69,7 @@ TEST(Help, OfRenderNamesWhatAFilmCanBe) {
   for (const char* line :
        {"--output [^\n]*GIF", "--speed [^\n]*slow motion", "--output [^\n]*slides",
         "--background [^\n]*transparent for overlays[^\n]*webm",
-        "--language [^\n]*language of the captions [^\n]*: en or nb"}) {
+        "--language [^\n]*language of the words [^\n]*: en or nb"}) {
     EXPECT_THAT(help, testing::ContainsRegex(line));
   }
 }

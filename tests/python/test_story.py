@@ -37,10 +37,21 @@ show = ["omega"]
 def test_a_built_in_story_has_captions_in_another_language():
     assert Scene("explain", language="nb").title == Scene("explain-nb").title == "Hvorfor det snur"
     assert Scene("explain-nb", language="en").name == "explain"
-    with pytest.raises(SceneError, match="^language: explain has no text in 'de', only in en and nb$"):
-        Scene("explain", language="de")
+    assert Scene("explain", language="nb").language == "nb"
+    with pytest.raises(SceneError, match="^language: unknown name 'de'"):
+        Scene("explain", language="de")  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match="^language: explain-short is not told in 'nb'"):
+        Scene("explain-short", language="nb")
     with pytest.raises(twrench.UsageError, match="language: must be a string"):
         Scene("explain", language=1)  # type: ignore[arg-type]
+
+
+def test_the_words_of_the_picture_are_in_the_language_of_the_scene():
+    scene = Scene("dzhanibekov", size=(640, 360))
+    english = scene.frame(0)
+    scene.language = "nb"
+    assert (scene.frame(0) != english).any()
+    assert scene.language == "nb"
 
 
 @pytest.fixture

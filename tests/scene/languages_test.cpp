@@ -4,48 +4,60 @@
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 
-#include "scratch_folder.h"
-#include "system/file.h"
+#include <algorithm>
+
+#include "base/enumeration.h"
 
 namespace twrench::scene {
 namespace {
 
-using testing::HasSubstr;
-
-TEST(Languages, OfABuiltInStory) {
-  EXPECT_EQ(load_scene("explain", "nb", "language").name, "explain-nb");
-  EXPECT_EQ(load_scene("explain", "en", "language").name, "explain");
-  EXPECT_EQ(load_scene("explain-nb", "en", "language").name, "explain");
-  EXPECT_EQ(load_scene("explain-nb", "nb", "language").name, "explain-nb");
-  EXPECT_EQ(load_scene("dzhanibekov", "en", "language").name, "dzhanibekov");
-}
-
-TEST(Languages, AreThoseOfAScene) {
-  for (const std::string& language : languages()) {
-    EXPECT_NO_THROW(load_scene("explain", language, "language")) << language;
-  }
-}
-
-/// The message about a language that the scene does not have.
-std::string refusal(const std::string& name, const std::string& language) {
+std::string name_in(Language language, const std::string& name) {
   try {
-    load_scene(name, language, "--language");
+    return story_in(language, name, "--language");
   } catch (const Error& error) {
     return error.what();
   }
-  return "none";
 }
 
-TEST(Languages, ThatAreNotThereAreRefusedWithThoseThatAre) {
-  EXPECT_EQ(refusal("explain", "de"), "--language: explain has no text in 'de', only in en and nb");
-  EXPECT_EQ(refusal("explain-nb", "NB"),
-            "--language: explain-nb has no text in 'NB', only in en and nb");
-  EXPECT_EQ(refusal("explorer-1", "nb"), "--language: explorer-1 has no text in 'nb', only in en");
-  EXPECT_THAT(refusal("explani", "nb"), HasSubstr("unknown name 'explani'"));
-  const ScratchFolder folder;
-  const std::string file = (folder / "my.toml").string();
-  system::write_file_atomically(file, "[body]\nmoments = [3, 4, 5]\n");
-  EXPECT_EQ(refusal(file, "nb"), "--language: " + file + " has one language, that of its file");
+TEST(Languages, OfABuiltInStory) {
+  EXPECT_EQ(name_in(Language::nb, "explain"), "explain-nb");
+  EXPECT_EQ(name_in(Language::en, "explain"), "explain");
+  EXPECT_EQ(name_in(Language::en, "explain-nb"), "explain");
+  EXPECT_EQ(name_in(Language::nb, "explain-nb"), "explain-nb");
+  EXPECT_EQ(name_in(Language::en, "explain-short"), "explain-short");
+  EXPECT_EQ(name_in(Language::nb, "explain-short"),
+            "--language: explain-short is not told in 'nb'");
+}
+
+TEST(Languages, OfAnotherSceneAreThoseOfItsWords) {
+  for (const char* name : {"dzhanibekov", "my.toml", "explani"}) {
+    EXPECT_EQ(name_in(Language::nb, name), name);
+  }
+}
+
+bool has_captions(const Scene& scene) {
+  return std::ranges::any_of(scene.shots, [](const Shot& shot) {
+    return shot.scene.caption && !shot.scene.caption->empty();
+  });
+}
+
+// Otherwise a story would be shown with captions in one language and words in another.
+TEST(Languages, OfEachBuiltInStoryAreKnown) {
+  for (const std::string& name : builtin_scene_names()) {
+    const Scene scene = load_scene(name);
+    if (!has_captions(scene)) continue;
+    for (const Language language : enumerators<Language>) {
+      const std::string told = name_in(language, name);
+      if (told.starts_with("--language: ")) continue;
+      EXPECT_EQ(load_scene(told).language, language) << name;
+    }
+    EXPECT_EQ(name_in(scene.language, name), name);
+  }
+}
+
+TEST(Languages, OfAFileAreThoseOfItsShotsToo) {
+  const Scene scene = load_scene("explain-nb");
+  for (const Shot& shot : scene.shots) EXPECT_EQ(shot.scene.language, Language::nb);
 }
 
 }  // namespace

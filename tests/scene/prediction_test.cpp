@@ -27,6 +27,15 @@ TEST(Prediction, OfTheTWrench) {
             "unstable about x, doubles every 5.23 h at 0.0001 rad/s");
 }
 
+TEST(Prediction, InNorwegian) {
+  const PrincipalAxes wrench =
+      body::principal_axes(mass_properties(load_scene("dzhanibekov").body).inertia);
+  EXPECT_EQ(prediction(wrench, PrincipalAxes::intermediate, 1, Language::nb),
+            "ustabil om x, dobles på 1.88 s ved 1 rad/s");
+  const PrincipalAxes sphere = body::principal_axes(Matrix3d::Identity());
+  EXPECT_EQ(prediction(sphere, PrincipalAxes::intermediate, 1, Language::nb), "nøytral om y");
+}
+
 TEST(Prediction, OfASphereAndOfABodyAtRestIsNone) {
   const PrincipalAxes sphere = body::principal_axes(Matrix3d::Identity());
   EXPECT_EQ(prediction(sphere, PrincipalAxes::intermediate, 1), "neutral about y");

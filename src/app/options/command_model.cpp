@@ -9,7 +9,6 @@
 #include "base/enumeration.h"
 #include "cases/case.h"
 #include "scene/fields.h"
-#include "scene/languages.h"
 #include "scene/scene.h"
 #include "video/codec.h"
 
@@ -40,7 +39,6 @@ std::map<std::string, Candidates> other_values() {
   return {
       {"--methods", list(names_of("method"))},
       {"--hide", list(names_of("show"))},
-      {"--language", words(scene::languages())},
       {"--shape", words(enumerator_names<scene::Equimomental>())},
       {"--container", words(video::format_texts(&video::OutputFormat::ending))},
       {"--egl-device", words({"software"})},

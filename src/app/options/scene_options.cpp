@@ -175,13 +175,23 @@ void SceneOptions::add_shape_option() {
 }
 
 void SceneOptions::add_language_option() {
+  const auto remember = [this](const std::string& text) {
+    language_ = text;
+    overrides_.emplace_back([this](scene::Scene& scene) { scene.language = *language(); });
+  };
   command_
-      .add_option("--language", language_,
-                  fmt::format("language of the captions and the title of a built-in story: {}",
-                              fmt::join(scene::languages(), " or ")))
+      .add_option_function<std::string>(
+          "--language", remember,
+          fmt::format("language of the words in the picture, and of a built-in story: {}",
+                      fmt::join(enumerator_names<scene::Language>(), " or ")))
       ->type_name("CODE")
       ->default_str("the scene's")
       ->group(heading(OptionGroup::overlays));
+}
+
+std::optional<scene::Language> SceneOptions::language() const {
+  if (!language_) return std::nullopt;
+  return find_enumerator<scene::Language>(*language_, "--language");
 }
 
 void SceneOptions::add_look_options() {
@@ -198,7 +208,8 @@ void SceneOptions::add_picture_options() {
   add_language_option();
   add_shape_option();
   for (const scene::Field& field : scene::fields()) {
-    if (!determines_motion(field) && field.key != "show") add_field(field);
+    const bool is_special = field.key == "show" || field.key == "language";
+    if (!determines_motion(field) && !is_special) add_field(field);
   }
   // Declared in this order, so that --show adds to --bare.
   add_flag("--bare", "show only the body; --show adds to it",
@@ -242,8 +253,8 @@ void SceneOptions::require_not_input(const std::filesystem::path& output) const 
 }
 
 scene::Scene SceneOptions::load(const std::string& name) const {
-  if (!language_.empty()) return scene::load_scene(name, language_, "--language");
-  return mesh::is_mesh_name(name) ? mesh_.scene(name) : scene::load_scene(name);
+  if (mesh::is_mesh_name(name)) return mesh_.scene(name);
+  return scene::load_scene(language_ ? scene::story_in(*language(), name, "--language") : name);
 }
 
 void SceneOptions::require_interior(const scene::Scene& scene) const {

@@ -109,6 +109,9 @@ class SceneOptions {
 
   /// Adds the option for the language of the text.
   void add_language_option();
+
+  /// The language of the option, if it is given. Throws InvalidArgument if there is none such.
+  std::optional<scene::Language> language() const;
   /// Adds --shape, the solid that is drawn for a body given by its inertia.
   void add_shape_option();
   /// A scene without and with the overrides.
@@ -127,8 +130,8 @@ class SceneOptions {
   MeshOptions mesh_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
-  std::string language_;                ///< Empty for that of each scene.
-  mutable std::vector<Loaded> loaded_;  ///< Set by load().
+  std::optional<std::string> language_;  ///< Nothing for that of each scene.
+  mutable std::vector<Loaded> loaded_;   ///< Set by load().
 };
 
 }  // namespace twrench::app

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/phrase.h"
+
 namespace twrench::picture::captions {
 namespace {
 
 using Eigen::Vector3d;
+using scene::Phrase;
 
 /// The extent of a part along an axis of the body, in cm from the centre of mass.
 struct Extent {
@@ -44,12 +47,19 @@ bool has_leg(const scene::Body& body) {
 
 }  // namespace
 
-std::string curve(const scene::Body& body) {
-  return has_leg(body) ? "which way the leg points" : "the body's x axis along space x";
+std::string curve(const scene::Body& body, scene::Language language) {
+  constexpr Phrase of_leg{"which way the leg points", "hvilken vei beinet peker"},
+      of_x{"the body's x axis along space x", "legemets x-akse langs rommets"};
+  return (has_leg(body) ? of_leg : of_x).in(language);
 }
 
-Remarks::Remarks(const timeline::Solution& solution)
-    : flips_(solution.flips),
+std::string longest_remark(scene::Language language) {
+  return Phrase("no rotation any more", "ikke lenger en rotasjon").in(language);
+}
+
+Remarks::Remarks(const timeline::Solution& solution, scene::Language language)
+    : language_(language),
+      flips_(solution.flips),
       flip_times_(solution.flip_times),
       axis_(solution.body.principal().axes.col(1)),
       momentum_(solution.body.momentum()) {}
@@ -65,12 +75,13 @@ double Remarks::share_of_flip(const motion::Sample& sample) const {
 
 Remark Remarks::at(const timeline::SolutionState& state) const {
   constexpr double visible = 0.01;
-  if (state.diagnostics.orthogonality_error > visible) return {no_rotation};
+  if (state.diagnostics.orthogonality_error > visible) return {longest_remark(language_)};
   const bool flips = flips_ && std::ranges::any_of(flip_times_, [&](double flip) {
                        return std::abs(state.sample.t - flip) < flips_->interval / 2;
                      });
   const double share = flips ? share_of_flip(state.sample) : 0;
-  return share > 0 ? Remark{turns_over, share} : Remark{};
+  if (!(share > 0)) return {};
+  return {Phrase("it turns over", "den snur").in(language_), share};
 }
 
 }  // namespace twrench::picture::captions

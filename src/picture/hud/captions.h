@@ -14,13 +14,13 @@ namespace twrench::picture::captions {
 /// Returns the meaning of x11. A body has a leg if one part lies along the x axis on the positive
 /// side and reaches farther from the centre of mass than all others in that direction or the
 /// opposite one.
-std::string curve(const scene::Body& body);
+std::string curve(const scene::Body& body, scene::Language language);
 
 /// The remarks on a motion: around each flip of the method's own solution, that the body turns
 /// over; once the matrix is 1 % off, that it is no rotation.
 class Remarks {
  public:
-  explicit Remarks(const timeline::Solution& solution);
+  Remarks(const timeline::Solution& solution, scene::Language language);
 
   /// Returns the remark on that state of the motion.
   Remark at(const timeline::SolutionState& state) const;
@@ -28,14 +28,14 @@ class Remarks {
  private:
   double share_of_flip(const motion::Sample& sample) const;
 
+  scene::Language language_;
   std::optional<motion::ExactMotion::Flips> flips_;
   std::vector<double> flip_times_;
   Eigen::Vector3d axis_;      ///< The intermediate axis, in body axes.
   Eigen::Vector3d momentum_;  ///< L in space, of any length.
 };
 
-/// All remarks. The longest determines the room for a remark.
-inline constexpr const char* turns_over = "it turns over";
-inline constexpr const char* no_rotation = "no rotation any more";
+/// Returns the longest remark, which determines the room for one.
+std::string longest_remark(scene::Language language);
 
 }  // namespace twrench::picture::captions

@@ -58,7 +58,7 @@ void CurvePanel::place_plot(const image::Area& area) {
 void CurvePanel::draw_caption(const scene::Scene& scene, const image::Area& area) {
   const double padding = panel_padding * size_;
   const double room = (area.width - 2 * padding) / size_;
-  const std::string meaning = captions::curve(scene.body);
+  const std::string meaning = captions::curve(scene.body, scene.language);
   canvas::Line line = canvas::typeset(font_, fmt::format("{} ({})", meaning, name_of(plots_[0])));
   if (line.width > room) line = canvas::typeset_within(font_, meaning, room);
   ground().text(line, size_, {area.x + padding, area.y + padding + 0.85 * size_}, {colors_.text});

@@ -1,10 +1,12 @@
 #include "picture/hud/force_legend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "picture/hud/panel.h"
 #include "picture/look/force_style.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 namespace {
@@ -22,9 +24,12 @@ struct Entry {
   double width() const { return name.width + (has_sample ? sample_length + after_sample : 0); }
 };
 
-std::string heading(scene::Frame frame) {
-  if (frame == scene::Frame::body) return "in the frame of the body";
-  return frame == scene::Frame::rotating ? "in the rotating frame" : "in space";
+const scene::Phrase& heading(scene::Frame frame) {
+  static constexpr std::array<scene::Phrase, 3> headings{
+      {{"in space", "i rommet"},
+       {"in the frame of the body", "i legemets system"},
+       {"in the rotating frame", "i det roterende systemet"}}};
+  return headings.at(static_cast<std::size_t>(frame));
 }
 
 double width_of(const std::vector<Entry>& row) {
@@ -50,8 +55,11 @@ double draw_sample(canvas::Canvas& canvas, double x, double middle, double size,
 ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const TextStyle& style) {
   const canvas::Font& font = style.typeface.regular;
   std::vector<Entry> row;
-  const auto add = [&](const std::string& name, const Color& color) {
-    row.push_back({canvas::typeset(font, name), color, true});
+  const auto line = [&](const scene::Phrase& phrase) {
+    return canvas::typeset(font, phrase.in(scene.language));
+  };
+  const auto add = [&](const scene::Phrase& name, const Color& color) {
+    row.push_back({line(name), color, true});
   };
   const bool has_tip = scene.overlay.shows(scene::Feature::tip);
   const std::vector<Force> of_tip{Force::centrifugal, Force::coriolis};
@@ -59,8 +67,8 @@ ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const 
   for (const Force force : has_parts ? forces_in(scene.camera.frame) : of_tip) {
     add(name_of(force), color_of(force, style.colors));
   }
-  if (has_tip) add("sum", color_of_sum(style.colors));
-  row.push_back({canvas::typeset(font, heading(scene.camera.frame)), style.colors.text, false});
+  if (has_tip) add({"sum", "sum"}, color_of_sum(style.colors));
+  row.push_back({line(heading(scene.camera.frame)), style.colors.text, false});
   const image::Area& area = *layout.forces;
   const double size = layout.text.readout;
   if (width_of(row) * size > area.width) row.pop_back();

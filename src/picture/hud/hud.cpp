@@ -9,15 +9,19 @@
 #include "picture/hud/captions.h"
 #include "picture/hud/hud_text.h"
 #include "picture/views/inset_views.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 namespace {
+
+using scene::Phrase;
 
 /// The common settings of the readouts of a video.
 class Figures {
  public:
   Figures(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions, bool compact)
-      : longest_(scene.motion.duration),
+      : language_(scene.language),
+        longest_(scene.motion.duration),
         resolution_(scene.film.speed / scene.film.fps),
         unit_(time_unit(longest_)),
         compact_(compact) {
@@ -26,36 +30,41 @@ class Figures {
   }
 
   Readout time() const {
-    return {"time", text(longest_), [self = *this](const timeline::FrameState& m) {
+    return {phrase({"time", "tid"}), text(longest_), [self = *this](const timeline::FrameState& m) {
               return self.text(m.solutions[0].sample.t);
             }};
   }
   Readout energy_drift(std::size_t solution) const {
-    return {compact_ ? "drift" : "energy drift", "+8.8×10⁻¹⁴",
-            [solution](const timeline::FrameState& m) {
+    return {phrase(compact_ ? Phrase("drift", "drift") : Phrase("energy drift", "energidrift")),
+            "+8.8×10⁻¹⁴", [solution](const timeline::FrameState& m) {
               return hud_text::drift(m.solutions[solution].diagnostics.energy_drift);
             }};
   }
-  static Readout orthogonality(std::size_t solution) {
-    return {"off SO(3)", "8.8×10⁻¹⁴", [solution](const timeline::FrameState& m) {
+  Readout orthogonality(std::size_t solution) const {
+    return {phrase({"off SO(3)", "utenfor SO(3)"}), "8.8×10⁻¹⁴",
+            [solution](const timeline::FrameState& m) {
               return hud_text::error(m.solutions[solution].diagnostics.orthogonality_error);
             }};
   }
   Readout flips(std::size_t solution) const {
-    return {"flips", fmt::format("{}", flips_), [solution](const timeline::FrameState& m) {
+    return {phrase({"flips", "vendinger"}), fmt::format("{}", flips_),
+            [solution](const timeline::FrameState& m) {
               return fmt::format("{}", m.solutions[solution].flips);
             }};
   }
   Readout next_flip(std::size_t solution) const {
-    return {"next flip", text(longest_), [solution, self = *this](const timeline::FrameState& m) {
+    return {phrase({"next flip", "neste vending"}), text(longest_),
+            [solution, self = *this](const timeline::FrameState& m) {
               const auto& next = m.solutions[solution].next_flip;
-              return next ? self.text(*next) : std::string("none");
+              return next ? self.text(*next) : self.phrase({"none", "ingen"});
             }};
   }
 
  private:
+  std::string phrase(const Phrase& phrase) const { return phrase.in(language_); }
   std::string text(double t) const { return hud_text::time(t, resolution_, unit_); }
 
+  scene::Language language_;
   double longest_;
   double resolution_;
   TimeUnit unit_;
@@ -98,7 +107,8 @@ std::vector<TextBlock> Typesetter::blocks() && {
   if (layout_.description) add_description();
   for (std::size_t i = 0; i < inset_views.size(); ++i) {
     const auto& pane = layout_.insets[i];
-    if (pane && pane->heading) add_heading(*pane->heading, inset_views[i].heading);
+    if (!pane || !pane->heading) continue;
+    add_heading(*pane->heading, inset_views[i].heading.in(scene_.language));
   }
   const image::Area picture{0, 0, scene_.film.width, scene_.film.height};
   for (TextBlock& block : blocks_) block.finish(picture);
@@ -114,8 +124,8 @@ void Typesetter::add_title() {
     block.add_title(title, style_.typeface.strong, layout_.text.title, style_.colors.text);
   }
   if (shows(scene::Feature::method) && !compares()) {
-    block.add_line(hud_text::method(solutions_[0]), style_.typeface.regular, layout_.text.caption,
-                   style_.colors.dim);
+    block.add_line(hud_text::method(solutions_[0], scene_.language), style_.typeface.regular,
+                   layout_.text.caption, style_.colors.dim);
   }
 }
 
@@ -145,7 +155,7 @@ void Typesetter::add_legend(std::size_t solution) {
   if (!scene_.overlay.compare.empty()) {
     // An energy that is lost is no error.
     if (body.energy_loss() == 0) row.push_back(figures_.energy_drift(solution));
-    row.push_back(Figures::orthogonality(solution));
+    row.push_back(figures_.orthogonality(solution));
   }
   const bool has_flips = body.energy_loss() == 0;
   if (has_flips && (!row.empty() || shows(scene::Feature::hud))) {
@@ -171,8 +181,8 @@ void Typesetter::add_moment(TextBlock& block, std::size_t solution) {
 void Typesetter::add_remark(TextBlock& block, std::size_t solution) {
   if (layout_.compact || !shows(scene::Feature::hud)) return;
   block.add_remark(
-      captions::no_rotation,
-      [solution, remarks = captions::Remarks(solutions_[solution])](
+      captions::longest_remark(scene_.language),
+      [solution, remarks = captions::Remarks(solutions_[solution], scene_.language)](
           const timeline::FrameState& state) { return remarks.at(state.solutions[solution]); });
 }
 
@@ -180,7 +190,8 @@ void Typesetter::add_description() {
   TextBlock& block = blocks_.emplace_back(style_, *layout_.description);
   const timeline::Solution& solution = solutions_[0];
   const InsetView& view = inset_views[scene::inset_index(scene_.overlay.view)];
-  const std::string text = view.description(solution, PrincipalFrame(solution.body, style_.colors));
+  const std::string text =
+      view.description(solution, PrincipalFrame(solution.body, style_.colors), scene_.language);
   block.add_paragraph(text, style_.typeface.regular, layout_.text.readout, style_.colors.dim);
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/phrase.h"
+
 namespace twrench::picture::hud_text {
 namespace {
 
@@ -73,12 +75,16 @@ std::string setting(double value) {
   return text.starts_with("1e") ? "10" + raised(std::stoi(text.substr(2))) : typographic(text);
 }
 
-std::string method(const timeline::Solution& solution) {
-  const std::string name(solution.method->name);
-  if (solution.method->exact()) return name + ", closed form";
-  if (solution.method->adaptive())
-    return name + ", tolerance " + setting(solution.control.tolerance);
-  return name + ", step " + setting(solution.control.step) + " s";
+std::string method(const timeline::Solution& solution, scene::Language language) {
+  using scene::Phrase;
+  const std::string_view name = solution.method->name;
+  if (solution.method->exact()) {
+    return Phrase("{}, closed form", "{}, lukket form").in(language, name);
+  }
+  return solution.method->adaptive() ? Phrase("{}, tolerance {}", "{}, toleranse {}")
+                                           .in(language, name, setting(solution.control.tolerance))
+                                     : Phrase("{}, step {} s", "{}, steg {} s")
+                                           .in(language, name, setting(solution.control.step));
 }
 
 }  // namespace twrench::picture::hud_text

@@ -29,6 +29,6 @@ std::string error(double value);
 std::string setting(double value);
 
 /// Returns, for example, "rkmk45, tolerance 10⁻¹⁰".
-std::string method(const timeline::Solution& solution);
+std::string method(const timeline::Solution& solution, scene::Language language);
 
 }  // namespace twrench::picture::hud_text

@@ -11,6 +11,7 @@
 #include "picture/hud/hud_text.h"
 #include "picture/hud/panel.h"
 #include "picture/views/principal_frame.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 namespace {
@@ -73,9 +74,10 @@ MomentsPanel::MomentsPanel(const scene::Scene& scene,
   layer_ = layer_around(*layout.moments, 0, {0, 0, scene.film.width, scene.film.height});
   canvas::Canvas canvas(layer_.image, layer_.x, layer_.y);
   draw_panel(canvas, *layout.moments, size, colors);
+  constexpr scene::Phrase heading{"moments of inertia, g cm²", "treghetsmomenter, g cm²"};
   canvas.text(
-      canvas::typeset_within(typeface.regular, "moments of inertia, g cm²", area.width / size),
-      size, {static_cast<double>(area.x), area.y + 0.95 * size}, {colors.text});
+      canvas::typeset_within(typeface.regular, heading.in(scene.language), area.width / size), size,
+      {static_cast<double>(area.x), area.y + 0.95 * size}, {colors.text});
   const std::array<Bar, 3> bars = bars_of(solutions[0].body, colors);
   const double apart = area.width / 3.0, bottom = area.y + area.height - below_em * size;
   const double most = bottom - area.y - (above_em + 1.3) * size;

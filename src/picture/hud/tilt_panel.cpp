@@ -10,6 +10,7 @@
 #include <span>
 
 #include "picture/hud/panel.h"
+#include "scene/phrase.h"
 #include "scene/prediction.h"
 
 namespace twrench::picture {
@@ -43,10 +44,14 @@ double bottom_of(const motion::Tilt& tilt, const std::vector<motion::Sample>& wh
 }
 
 /// The linearised motion predicts the tilt of a rigid body. Of others, only the axis is named.
-std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt) {
+std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt,
+                          scene::Language language) {
   const body::PrincipalAxes& principal = body.principal();
-  if (body.is_rigid()) return scene::prediction(principal, tilt.axis(), tilt.steady_rate());
-  return fmt::format("of {}", scene::axis_name(principal.axes, tilt.axis()));
+  if (body.is_rigid()) {
+    return scene::prediction(principal, tilt.axis(), tilt.steady_rate(), language);
+  }
+  return scene::Phrase("of {}", "av {}")
+      .in(language, scene::axis_name(principal.axes, tilt.axis()));
 }
 
 /// Round-off does not change the text from frame to frame: it is rounded up where it lies half way
@@ -77,9 +82,10 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
   future_ = layer_around(*layout.tilt, 0, {0, 0, scene.film.width, scene.film.height});
   canvas::Canvas future(future_.image, future_.x, future_.y);
   draw_panel(future, *layout.tilt, size_, colors);
-  const canvas::Line name = canvas::typeset(typeface.regular, "tilt against L");
+  const canvas::Line name = canvas::typeset(
+      typeface.regular, scene::Phrase("tilt against L", "helling mot L").in(scene.language));
   future.text(name, size_, {static_cast<double>(area.x), value_.y}, {colors.text});
-  const std::string prediction = prediction_of(solutions[0].body, tilt_);
+  const std::string prediction = prediction_of(solutions[0].body, tilt_, scene.language);
   future.text(canvas::typeset_within(typeface.regular, prediction, area.width / size_), size_,
               {static_cast<double>(area.x), value_.y + plot_line_em * size_}, {colors.dim});
   draw_scale(future, typeface);

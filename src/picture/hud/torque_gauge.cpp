@@ -9,6 +9,7 @@
 #include "picture/hud/hud_text.h"
 #include "picture/hud/panel.h"
 #include "picture/look/force_style.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 namespace {
@@ -51,8 +52,10 @@ TorqueGauge::TorqueGauge(const scene::Scene& scene,
                          Align align) {
     canvas.text(canvas::typeset(typeface.regular, text), size_, {x, y}, {color}, align);
   };
-  write("tilts back", area.x, line, color_of_back(colors), Align::left);
-  write("tilts further", right, line, color_of_further(colors), Align::right);
+  write(scene::Phrase("tilts back", "tipper tilbake").in(scene.language), area.x, line,
+        color_of_back(colors), Align::left);
+  write(scene::Phrase("tilts further", "tipper videre").in(scene.language), right, line,
+        color_of_further(colors), Align::right);
   const std::string power = exponent_ == 0 ? "" : hud_text::setting(std::pow(10, exponent_)) + " ";
   write(power + "dyn cm", area.x + area.width / 2.0, value_line_, colors.dim, Align::centre);
   canvas.rectangle(bar_.x, bar_.y, bar_.width, bar_.height, {colors.dim, empty_opacity});

@@ -12,9 +12,12 @@ const std::vector<Force>& forces_in(scene::Frame frame) {
   return forces[static_cast<std::size_t>(frame)];
 }
 
-std::string name_of(Force force) {
-  static constexpr std::array names{"centrifugal", "Coriolis", "Euler", "what holds it"};
-  return names[static_cast<std::size_t>(force)];
+const scene::Phrase& name_of(Force force) {
+  static constexpr std::array<scene::Phrase, 4> names{{{"centrifugal", "sentrifugal"},
+                                                       {"Coriolis", "Coriolis"},
+                                                       {"Euler", "Euler"},
+                                                       {"what holds it", "det som holder"}}};
+  return names.at(static_cast<std::size_t>(force));
 }
 
 Color color_of(Force force, const OverlayColors& colors) {

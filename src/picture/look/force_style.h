@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "picture/look/theme.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 
@@ -16,7 +16,7 @@ enum class Force { centrifugal, coriolis, euler, constraint };
 const std::vector<Force>& forces_in(scene::Frame frame);
 
 /// Returns the name of the force for a legend.
-std::string name_of(Force force);
+const scene::Phrase& name_of(Force force);
 
 /// Returns the colour of the force's arrows and of its name.
 Color color_of(Force force, const OverlayColors& colors);

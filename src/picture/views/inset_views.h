@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "picture/views/solution_view.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 
@@ -13,9 +14,10 @@ namespace twrench::picture {
 struct InsetView {
   scene::View view;
   /// A line that names the contents.
-  const char* heading;
+  scene::Phrase heading;
   /// Returns sentences that describe the contents for this motion.
-  std::string (*description)(const timeline::Solution& solution, const PrincipalFrame& frame);
+  std::string (*description)(const timeline::Solution& solution, const PrincipalFrame& frame,
+                             scene::Language language);
   /// Creates the view, which shows the first motion in `pane`.
   std::unique_ptr<SolutionView> (*make)(const scene::Scene& scene,
                                         const std::vector<timeline::Solution>& solutions,

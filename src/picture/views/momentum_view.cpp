@@ -34,26 +34,51 @@ Vector3d eye_direction(const Vector3d& mu) {
 }  // namespace
 
 std::string MomentumView::description(const timeline::Solution& solution,
-                                      const PrincipalFrame& frame) {
-  if (frame.direction.isZero(0.0)) return "The body is at rest: it has no angular momentum.";
+                                      const PrincipalFrame& frame, scene::Language language) {
+  using scene::Phrase;
+  if (frame.direction.isZero(0.0)) {
+    return Phrase("The body is at rest: it has no angular momentum.",
+                  "Legemet er i ro: det har ingen dreieimpuls.")
+        .in(language);
+  }
   const std::string sphere =
-      "The angular momentum L, seen from the body. Its length is constant, so its tip stays on a "
-      "sphere; ";
+      Phrase(
+          "The angular momentum L, seen from the body. Its length is constant, so its tip stays on "
+          "a sphere; ",
+          "Dreieimpulsen L, sett fra legemet. Lengden er konstant, så spissen blir på en kule; ")
+          .in(language);
+  if (solution.body.energy_loss() > 0) {
+    return sphere + Phrase(
+                        "the body loses energy, so it crosses the curves of constant energy, "
+                        "down to the least.",
+                        "legemet taper energi, så den krysser kurvene med konstant energi, ned "
+                        "til den minste.")
+                        .in(language);
+  }
+  if (solution.body.is_rigid() && !frame.level) {
+    return sphere + Phrase("as all moments are equal, it stays where it is.",
+                           "siden alle momentene er like, blir den der den er.")
+                        .in(language);
+  }
+  const std::string level = sphere + Phrase("the energy is constant, so it stays on one curve. ",
+                                            "energien er konstant, så den blir på én kurve. ")
+                                         .in(language);
   if (!solution.body.is_rigid()) {
-    return sphere + (solution.body.energy_loss() > 0
-                         ? "the body loses energy, so it crosses the curves of constant energy, "
-                           "down to the least."
-                         : "the energy is constant, so it stays on one curve. A wheel in the body "
-                           "moves the curves. Dots are steady rotations.");
+    return level + Phrase("A wheel in the body moves the curves. Dots are steady rotations.",
+                          "Et hjul i legemet flytter kurvene. Prikker er jevne rotasjoner.")
+                       .in(language);
   }
-  if (!frame.level) return sphere + "as all moments are equal, it stays where it is.";
-  const std::string level = sphere + "the energy is constant, so it stays on one curve. ";
   if (solution.flips) {
-    return level + "Close to the bold curve this leads from one end of the " + frame.names[1] +
-           " axis to the other: the body turns over.";
+    return level + Phrase(
+                       "Close to the bold curve this leads from one end of the {} axis to the "
+                       "other: the body turns over.",
+                       "Nær den tykke kurven fører den fra den ene enden av {}-aksen til den "
+                       "andre: legemet snur.")
+                       .in(language, frame.names[1]);
   }
-  return level + "It stays on one side of the body, about the " +
-         frame.names[static_cast<std::size_t>(frame.level->axis)] + " axis.";
+  return level + Phrase("It stays on one side of the body, about the {} axis.",
+                        "Den blir på én side av legemet, om {}-aksen.")
+                     .in(language, frame.names[static_cast<std::size_t>(frame.level->axis)]);
 }
 
 MomentumView::MomentumView(const scene::Scene& scene,

@@ -2,6 +2,7 @@
 
 #include "picture/views/solution_view.h"
 #include "picture/views/sphere_curves.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 
@@ -10,8 +11,9 @@ namespace twrench::picture {
 /// back and forth between the ends of the intermediate axis, which is the flip.
 class MomentumView : public SolutionView {
  public:
-  static constexpr const char* heading = "L, seen from the body";
-  static std::string description(const timeline::Solution& solution, const PrincipalFrame& frame);
+  static constexpr scene::Phrase heading{"L, seen from the body", "L, sett fra legemet"};
+  static std::string description(const timeline::Solution& solution, const PrincipalFrame& frame,
+                                 scene::Language language);
 
   /// Shows one motion in `pane`.
   MomentumView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,

@@ -41,12 +41,15 @@ constexpr double widest_turn = 0.35;
 }  // namespace
 
 std::string PoinsotView::description(const timeline::Solution& solution,
-                                     const PrincipalFrame& /*frame*/) {
-  if (solution.body.momentum().isZero(0.0)) {
-    return "The body's inertia ellipsoid. The body is at rest.";
-  }
-  return "The body's inertia ellipsoid rolls without slipping on a plane that never moves, normal "
-         "to L. It touches the plane at ω, the axis about which the body turns at that moment.";
+                                     const PrincipalFrame& /*frame*/, scene::Language language) {
+  constexpr scene::Phrase at_rest{"The body's inertia ellipsoid. The body is at rest.",
+                                  "Legemets treghetsellipsoide. Legemet er i ro."};
+  constexpr scene::Phrase rolls{
+      "The body's inertia ellipsoid rolls without slipping on a plane that never moves, normal to "
+      "L. It touches the plane at ω, the axis about which the body turns at that moment.",
+      "Legemets treghetsellipsoide ruller uten å gli på et plan som aldri beveger seg, normalt på "
+      "L. Den berører planet ved ω, aksen som legemet dreier om i det øyeblikket."};
+  return (solution.body.momentum().isZero(0.0) ? at_rest : rolls).in(language);
 }
 
 PoinsotView::PoinsotView(const scene::Scene& scene,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "picture/views/solution_view.h"
+#include "scene/phrase.h"
 
 namespace twrench::picture {
 
@@ -13,8 +14,9 @@ namespace twrench::picture {
 /// plane is seen from above, with the contact point below it.
 class PoinsotView : public SolutionView {
  public:
-  static constexpr const char* heading = "the ellipsoid rolls";
-  static std::string description(const timeline::Solution& solution, const PrincipalFrame& frame);
+  static constexpr scene::Phrase heading{"the ellipsoid rolls", "ellipsoiden ruller"};
+  static std::string description(const timeline::Solution& solution, const PrincipalFrame& frame,
+                                 scene::Language language);
 
   /// Shows one motion in `pane`.
   PoinsotView(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,

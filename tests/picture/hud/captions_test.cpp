@@ -13,7 +13,7 @@ body::Part sphere(double radius, const Eigen::Vector3d& position) {
 }
 
 bool speaks_of_a_leg(const scene::Body& body) {
-  return curve(body).find("leg") != std::string::npos;
+  return curve(body, scene::Language::en).find("leg") != std::string::npos;
 }
 
 TEST(CurveCaption, SpeaksOfALegOnlyWhereThereIsOneAlongX) {
@@ -45,14 +45,14 @@ Remark remark_at(const scene::Scene& scene, double t, double off_rotations = 0) 
   timeline::SolutionState state;
   state.sample = motion::ExactMotion(solution.body).at(t);
   state.diagnostics.orthogonality_error = off_rotations;
-  return Remarks(solution).at(state);
+  return Remarks(solution, scene.language).at(state);
 }
 
 TEST(Remarks, SayThatTheBodyTurnsOverAroundItsFlips) {
   const scene::Scene scene = t_wrench();
   for (const double flip : {11.815, 35.446, 59.077, 82.708}) {
     for (const double away : {-2.0, 0.0, 2.0}) {
-      EXPECT_EQ(remark_at(scene, flip + away).text, turns_over) << flip;
+      EXPECT_EQ(remark_at(scene, flip + away).text, "it turns over") << flip;
       EXPECT_EQ(remark_at(scene, flip + away).opacity, 1) << flip;
     }
     for (const double away : {-8.0, 8.0}) {
@@ -61,6 +61,14 @@ TEST(Remarks, SayThatTheBodyTurnsOverAroundItsFlips) {
   }
   EXPECT_GT(remark_at(scene, 11.815 - 4.5).opacity, 0) << "it comes and goes";
   EXPECT_LT(remark_at(scene, 11.815 - 4.5).opacity, 1);
+}
+
+TEST(Remarks, AreInTheLanguageOfTheScene) {
+  scene::Scene scene = t_wrench();
+  scene.language = scene::Language::nb;
+  EXPECT_EQ(remark_at(scene, 11.815).text, "den snur");
+  EXPECT_EQ(remark_at(scene, 0, 0.02).text, "ikke lenger en rotasjon");
+  EXPECT_EQ(curve(scene.body, scene.language), "hvilken vei beinet peker");
 }
 
 TEST(Remarks, SayNothingOfABodyThatDoesNotTurnOver) {
@@ -72,8 +80,8 @@ TEST(Remarks, SayNothingOfABodyThatDoesNotTurnOver) {
 }
 
 TEST(Remarks, SayWhereTheMatrixIsNoRotation) {
-  EXPECT_EQ(remark_at(t_wrench(), 0, 0.02).text, no_rotation);
-  EXPECT_EQ(remark_at(t_wrench(), 11.8, 0.02).text, no_rotation) << "which matters more";
+  EXPECT_EQ(remark_at(t_wrench(), 0, 0.02).text, "no rotation any more");
+  EXPECT_EQ(remark_at(t_wrench(), 11.8, 0.02).text, "no rotation any more") << "which matters more";
   EXPECT_EQ(remark_at(t_wrench(), 0, 1e-6).text, "");
 }
 

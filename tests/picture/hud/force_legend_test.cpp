@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/enumeration.h"
 #include "picture/look/force_style.h"
 #include "picture/overlay_scene.h"
 
@@ -36,7 +37,7 @@ TEST(ForceLegend, HasTheColoursOfTheForcesInTheFrameAndNoOther) {
     const auto layers = legend_of(all);
     ASSERT_EQ(layers.size(), 1U);
     for (const Force force : forces_in(frame)) {
-      EXPECT_TRUE(has(layers[0], color_of(force, all.colors))) << name_of(force);
+      EXPECT_TRUE(has(layers[0], color_of(force, all.colors))) << enumerator_name(force);
     }
     EXPECT_FALSE(has(layers[0], color_of(other, all.colors)));
   }

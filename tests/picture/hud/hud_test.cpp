@@ -256,8 +256,10 @@ TEST(Hud, KeepsItsWordsInTheirPlacesInPicturesOfAnyShape) {
     scene::Scene scene = film_of(1920, 1080);
     scene.motion.duration = 1;
     scene.overlay.compare.assign(compared, "implicit-trapezoid");
-    for (const char* font : {"sans", "mono"}) {
+    for (const auto& [font, language] :
+         {std::pair("sans", scene::Language::en), {"mono", scene::Language::nb}}) {
       scene.overlay.font = font;
+      scene.language = language;
       OverlayScene film(scene);
       for (const int width : {16, 48, 72, 100, 164, 300, 728, 1600, 4000}) {
         for (const int height : {16, 48, 72, 100, 164, 300, 728, 1600}) {

@@ -77,16 +77,17 @@ TEST(Setting, IsAsShortAsCanBe) {
 }
 
 TEST(Method, SaysWhatItsErrorHangsOn) {
-  const auto words = [](const char* name) {
+  const auto words = [](const char* name, scene::Language language = scene::Language::en) {
     const motion::FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d::UnitX());
     timeline::Solution solution{&motion::find_method(name), {}, body, 0, {}, {}, {}, {}};
     solution.control.step = 0.025;
     solution.control.tolerance = 1e-8;
-    return method(solution);
+    return method(solution, language);
   };
   EXPECT_EQ(words("rkmk45"), "rkmk45, tolerance 10⁻⁸");
   EXPECT_EQ(words("lie-euler"), "lie-euler, step 0.025 s");
   EXPECT_EQ(words("exact"), "exact, closed form");
+  EXPECT_EQ(words("exact", scene::Language::nb), "exact, lukket form");
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(Forces, OfAFrameAreThoseThatCanBeThere) {
   for (const scene::Frame frame : {scene::Frame::body, scene::Frame::rotating}) {
     EXPECT_EQ(forces_in(frame).size(), 3U);
   }
-  EXPECT_EQ(name_of(Force::coriolis), "Coriolis");
+  EXPECT_EQ(name_of(Force::centrifugal).in(scene::Language::nb), "sentrifugal");
 }
 
 }  // namespace

@@ -225,7 +225,8 @@ std::string description(const Eigen::Vector3d& moments, const Eigen::Vector3d& o
   scene.motion.omega = omega;
   const OverlayScene film(scene);
   const timeline::Solution& solution = film.timeline.solutions()[0];
-  return MomentumView::description(solution, PrincipalFrame(solution.body, film.colors));
+  return MomentumView::description(solution, PrincipalFrame(solution.body, film.colors),
+                                   scene.language);
 }
 
 /// Returns the area of a triangle with great circles as sides (Van Oosterom and Strackee, 1983).
