@@ -12,6 +12,7 @@
 
 #include "base/enumeration.h"
 #include "scene/limits.h"
+#include "scene/phrase.h"
 
 namespace twrench::scene {
 namespace {
@@ -131,11 +132,6 @@ std::vector<body::Part> visible_parts(const Body& body) {
 }
 
 PartDescription description(const Body& body, std::size_t part) {
-  if (body.inertia && body.drawn_as == Equimomental::cross) {
-    static constexpr std::array names{"cross",       "cross",       "cross",      "heavy discs",
-                                      "heavy discs", "light discs", "light discs"};
-    return {names.at(part), {}, {}};
-  }
   return part < body.descriptions.size() ? body.descriptions[part] : PartDescription{};
 }
 
@@ -173,11 +169,25 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   return files;
 }
 
-std::vector<PartGroup> part_groups(const Body& body) {
+namespace {
+
+std::string name_of_part(const Body& body, std::size_t part, Language language) {
+  if (body.inertia && body.drawn_as == Equimomental::cross) {
+    constexpr Phrase cross{"cross", "kors"}, heavy{"heavy discs", "tunge skiver"},
+        light{"light discs", "lette skiver"};
+    static constexpr std::array names{cross, cross, cross, heavy, heavy, light, light};
+    return names.at(part).in(language);
+  }
+  const std::string given = description(body, part).name;
+  return given.empty() ? Phrase("part {}", "del {}").in(language, part + 1) : given;
+}
+
+}  // namespace
+
+std::vector<PartGroup> part_groups(const Body& body, Language language) {
   std::vector<PartGroup> groups;
   for (std::size_t i = 0; i < visible_parts(body).size(); ++i) {
-    const std::string given = description(body, i).name;
-    const std::string name = given.empty() ? fmt::format("part {}", i + 1) : given;
+    const std::string name = name_of_part(body, i, language);
     auto group = std::ranges::find(groups, name, &PartGroup::name);
     if (group == groups.end()) group = groups.insert(groups.end(), {name, {}});
     group->parts.push_back(i);

@@ -395,8 +395,9 @@ struct PartGroup {
   std::vector<std::size_t> parts;
 };
 
-/// Returns the parts of a body by their names, in the order in which these first appear.
-std::vector<PartGroup> part_groups(const Body& body);
+/// Returns the parts of a body by their names, in the order in which these first appear. `language`
+/// is that of names that the body does not give.
+std::vector<PartGroup> part_groups(const Body& body, Language language = Language::en);
 
 /// Returns the notes on the meshes of a scene and its shots, each once and with the name of its
 /// file.

@@ -29,7 +29,7 @@ TiltingTorque::TiltingTorque(const scene::Scene& scene, const motion::FreeBody& 
   Vector3d end = body.principal().axes.col(tilt_.axis());
   if (end.dot(body.inertia() * body.omega()) < 0) end = -end;
   double nearer_reach = 0, other_reach = 0;
-  for (const scene::PartGroup& group : scene::part_groups(scene.body)) {
+  for (const scene::PartGroup& group : scene::part_groups(scene.body, scene.language)) {
     Element& element = elements_.emplace_back(Element{.name = group.name});
     for (const std::size_t i : group.parts) {
       for (const body::PointMass& point : body::equimomental_points(parts[i])) {

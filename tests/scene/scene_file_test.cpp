@@ -214,7 +214,8 @@ TEST(SceneFile, AnInertiaMatrixIsWrittenAsItWasRead) {
   expected << 3, 0.25, -0.1, 0.25, 4, 0.3, -0.1, 0.3, 5;
   EXPECT_EQ(mass_properties(scene.body).inertia, expected);
   EXPECT_EQ(visible_parts(scene.body).size(), 7u);
-  EXPECT_EQ(description(scene.body, 3).name, "heavy discs");
+  EXPECT_EQ(part_groups(scene.body).at(1).name, "heavy discs");
+  EXPECT_EQ(part_groups(scene.body, Language::nb).at(1).name, "tunge skiver");
 }
 
 // Entries that another program printed with 15 digits may differ in the last one.

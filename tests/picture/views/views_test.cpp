@@ -229,6 +229,19 @@ std::string description(const Eigen::Vector3d& moments, const Eigen::Vector3d& o
                                    scene.language);
 }
 
+TEST(PrincipalFrame, HasTheColoursOfTheBodysAxesOnlyIfAllCoincide) {
+  const OverlayColors palette = style_of(scene::Theme::studio).overlay;
+  const auto colors = [&](const Matrix3d& inertia) {
+    return PrincipalFrame(motion::FreeBody(inertia, {1, 0, 0}), palette).colors;
+  };
+  const Matrix3d inertia = Vector3d(3, 2, 1).asDiagonal();
+  const std::array own{palette.axis[2], palette.axis[1], palette.axis[0]};
+  EXPECT_EQ(colors(inertia), own);
+  Matrix3d turned = inertia;  // about z, the axis of least moment, which stays
+  turned(0, 1) = turned(1, 0) = 0.5;
+  EXPECT_EQ(colors(turned), palette.axis);
+}
+
 /// Returns the area of a triangle with great circles as sides (Van Oosterom and Strackee, 1983).
 double spherical_area(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
