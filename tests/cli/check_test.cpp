@@ -331,6 +331,23 @@ TEST_F(CheckCommand, AsksForAnOptionWhereNamesAreAmbiguous) {
   EXPECT_THAT(run.err, HasSubstr("these quaternions fit as xyzw, space from body: add --columns"));
 }
 
+TEST_F(CheckCommand, AsksForTheRatesOfTwoThatAreThere) {
+  simulate("e.csv", "--method exact --duration 5");
+  const std::string attitude = "x11,x12,x13,x21,x22,x23,x31,x32,x33";
+  const std::string command =
+      rewritten("t," + attitude + ",w_body_x,w_body_y,w_body_z,w_world_x,w_world_y,w_world_z",
+                "t, *x, *w, *[sum(x[3*i+j]*w[j] for j in range(3)) for i in range(3)]");
+  ASSERT_EQ(run_shell(folder_, command + " < e.csv > both.csv").code, 0);
+  const Outcome run = check("both.csv " + body);
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr("its columns can be read in 2 ways\n  say which: --columns "));
+  const std::string before = "; or ", advice = run.err.substr(run.err.find(before) + before.size());
+  EXPECT_THAT(advice, HasSubstr("wx=w_world_x,"));
+  EXPECT_THAT(advice, testing::EndsWith("' --rates space\n"));
+  const Outcome followed = check("both.csv " + body + advice.substr(0, advice.size() - 1));
+  EXPECT_EQ(followed.code, 0) << followed.out << followed.err;
+}
+
 TEST_F(CheckCommand, FitsAnInitialState) {
   simulate("exact.csv", "--method exact --duration 40");
   const json found = judged("exact.csv --fit " + body);

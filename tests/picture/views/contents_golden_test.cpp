@@ -180,12 +180,15 @@ json numbers_of(const scene::Scene& scene) {
   const timeline::FrameState state = timeline.frame_state(0);
   const auto& solutions = timeline.solutions();
   const BodyView body(scene, solutions, 0, view_pane);
+  // There, bevels have their share of a body's size instead of a least width in pixels.
+  const BodyView large(scene, solutions, 0, {{0, 0, 2560, 1920}, {0, 0, 2560, 1920}});
   const MomentumView sphere(scene, solutions, 0, view_pane);
   ViewContents still;
   still.begin(sphere.camera(0), view_pane.area);
   sphere.add_still(still);
   json numbers{{"body", numbers_of(shown_by(body, state))},
                {"surface", numbers_of(body.body())},
+               {"large surface", numbers_of(large.body())},
                {"sphere", numbers_of(still)},
                {"layout", numbers_of(compute_layout(scene))}};
   for (const InsetView& row : inset_views) {
