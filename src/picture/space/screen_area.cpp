@@ -151,7 +151,13 @@ std::vector<image::Area> ScreenArea::bands(int height) const {
   std::vector<std::vector<Span>> spans(static_cast<std::size_t>(count));
   for (const auto& [points, margin] : shapes_) {
     const auto corners = hull(points);
-    for (int band = 0; band < count; ++band) {
+    if (corners.empty()) continue;
+    const auto [low, high] =
+        std::ranges::minmax_element(corners, {}, [](const Point& p) { return p.y(); });
+    const auto band_of = [&](double y) {
+      return static_cast<int>(std::clamp(std::floor(y / height) - first, 0.0, count - 1.0));
+    };
+    for (int band = band_of(low->y() - margin); band <= band_of(high->y() + margin); ++band) {
       const double top = (first + band) * height - margin;
       Span span;
       for (std::size_t i = 1; i < corners.size(); ++i) {
