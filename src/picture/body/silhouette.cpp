@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
 #include <tuple>
@@ -56,6 +57,7 @@ Silhouette::Silhouette(const Mesh& mesh, PartIntersections intersections)
     begin = part;
   }
   on_it_.resize(vertices_.size());
+  bends_.resize(vertices_.size());
   for (const Vertex& vertex : vertices_) shifts_.push_back({vertex.normal, 0});
 }
 
@@ -123,6 +125,7 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
   indices_.clear();
   part_ends_.clear();
   on_it_.assign(on_it_.size(), 0);
+  bends_.assign(bends_.size(), {});
   Part begin{};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
@@ -133,7 +136,8 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
       for (std::size_t k = begin.vertex_end; k < part.vertex_end; ++k) shifts_[k].offset = 0;
     }
     shrink(begin, part, eye, scale);
-    for (const Edge& edge : outline_) add_edge_quad(edge);
+    if (part.has_creases) find_bends(eye, scale);
+    for (const Edge& edge : outline_) add_edge_quad(edge, eye);
     for (const Edge& edge : creases_) {
       add_crease_quad(edge.half_edge, eye);
       add_crease_quad(edge.other, eye);
@@ -202,7 +206,44 @@ void Silhouette::point_outward(const Part& begin, const Part& part, const glm::v
   }
 }
 
-void Silhouette::add_edge_quad(const Edge& edge) {
+/// Finds the bends of a mesh from the seen triangles at its outline.
+void Silhouette::find_bends(const glm::vec3& eye, float scale) {
+  for (const Edge& edge : outline_) {
+    const std::uint32_t seen = is_seen(edge.half_edge) ? edge.half_edge : edge.other;
+    const std::uint32_t from = corners_[seen], to = corners_[next_half_edge(seen)],
+                        apex = corners_[next_half_edge(next_half_edge(seen))];
+    const glm::vec3 start = vertices_[from].position, sight = glm::normalize(eye - start);
+    const glm::vec3 across = glm::cross(sight, vertices_[to].position - start);
+    const float length = glm::length(across);
+    const float inside = glm::dot(across, vertices_[apex].position - start) * scale;
+    constexpr float least = 1e-3F;  // px
+    if (!(inside > least * length)) continue;
+    const auto squared = [&](std::uint32_t vertex) {
+      const float cosine = glm::dot(vertices_[vertex].normal, sight);
+      return cosine * cosine;
+    };
+    const float rise = squared(apex) - 0.5F * (squared(from) + squared(to));
+    for (const std::uint32_t end : {from, to}) {
+      bends_[end].sum += rise * length / inside;
+      bends_[end].count += 1;
+    }
+  }
+}
+
+/// The normal that edge quads show at a vertex: that of the point half a pixel inside. A fillet
+/// narrower than a pixel would otherwise be a line of dots.
+glm::vec3 Silhouette::normal_inside(std::uint32_t vertex, const glm::vec3& eye) const {
+  const auto& [position, normal] = vertices_[vertex];
+  const auto& [sum, count] = bends_[vertex];
+  if (count == 0) return normal;
+  const glm::vec3 sight = glm::normalize(eye - position);
+  const float cosine = glm::dot(normal, sight);
+  constexpr float most = 0.09F;  // more would rely on triangles much narrower than a pixel
+  const float squared = std::clamp(cosine * cosine + 0.5F * sum / count, 0.0F, most);
+  return glm::normalize(normal + std::max(std::sqrt(squared) - cosine, 0.0F) * sight);
+}
+
+void Silhouette::add_edge_quad(const Edge& edge, const glm::vec3& eye) {
   const bool is_first = is_seen(edge.half_edge);
   const std::uint32_t from = is_first ? edge.half_edge : next_half_edge(edge.other);
   const std::uint32_t to = is_first ? next_half_edge(edge.half_edge) : edge.other;
@@ -210,6 +251,7 @@ void Silhouette::add_edge_quad(const Edge& edge) {
     EdgeQuadVertex vertex = quad_vertex(corners_[end]);
     vertex.shift = {shifts_[place(end)].direction, side};
     vertex.transparency = std::max(side, 0.0F);
+    vertex.normal = normal_inside(corners_[end], eye);
     return vertex;
   };
   add_quad({corner(from, -1), corner(from, 1), corner(to, -1), corner(to, 1)});

@@ -214,6 +214,24 @@ TEST(Silhouette, HasAQuadForEachPartAlongTheirIntersection) {
   EXPECT_EQ(seen_from({20, 15, 0}), (std::array{0, 0})) << "the cube's ends face away";
 }
 
+// On a circle of r pixels, the cosine half a pixel inside is sqrt(1 / r).
+TEST(Silhouette, OfAMeshShowsWhatIsHalfAPixelInside) {
+  Silhouette outline = silhouette_of(mesh_of_triangles(ball_of_triangles(1, 20)));
+  const glm::vec3 eye(3, 40, 5);
+  const auto facing = [&](float pixels) {
+    outline.find(eye, pixels);
+    std::vector<float> cosines;
+    for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+      cosines.push_back(glm::dot(corner.normal, glm::normalize(eye - corner.position)));
+    }
+    std::ranges::nth_element(cosines, cosines.begin() + std::ssize(cosines) / 2);
+    return cosines[cosines.size() / 2];
+  };
+  EXPECT_NEAR(facing(100), 0.1F, 0.02F);
+  EXPECT_NEAR(facing(25), 0.2F, 0.02F);
+  EXPECT_NEAR(facing(4), 0.29F, 0.01F) << "at most";
+}
+
 TEST(Silhouette, OfAWallIsItsBorder) {
   Silhouette outline =
       silhouette_of(mesh_of_triangles({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}, 0.1));
