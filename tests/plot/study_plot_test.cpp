@@ -87,5 +87,27 @@ TEST(StudyPlot, PutsTheLabelsOfSlopesWhereThereAreNoMarkers) {
   }
 }
 
+// Their lines nearly coincide if all steps are nearly alike.
+TEST(StudyPlot, PutsTheLabelsOfSlopesApart) {
+  study::Study study = study_of_all();
+  for (study::MethodStudy& m : study.methods) {
+    m.runs.resize(2);
+    m.runs[1].step = 1.1 * m.runs[0].step;
+  }
+  const Plot plot = study_plot(study);
+  const auto labels = matches(plot.script, "set label 'h[^']*' at ([^,]+), ([^ ]+) center");
+  ASSERT_EQ(labels.size(), 3U);
+  const auto ranges = matches(plot.script, "set xrange \\[([^:]+):([^\\]]+)\\]");
+  const double decades = std::log(std::stod(ranges.at(0)[2]) / std::stod(ranges.at(0)[1]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double x = 357 * std::log(std::stod(labels[i][1]) / std::stod(labels[j][1])) / decades,
+                   y = 330 * std::log(std::stod(labels[i][2]) / std::stod(labels[j][2])) /
+                       std::log(1e16);
+      EXPECT_GT(std::hypot(x, y), 11) << labels[i][0] << " and " << labels[j][0];
+    }
+  }
+}
+
 }  // namespace
 }  // namespace twrench::plot
