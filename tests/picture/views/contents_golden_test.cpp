@@ -158,6 +158,29 @@ json numbers_of(const Layout& layout) {
   return numbers;
 }
 
+/// Returns a number for the layout of the scene in each of several sizes.
+json numbers_of_layouts(scene::Scene scene) {
+  json numbers = json::array();
+  for (const auto& [width, height] : {std::pair(100, 60),
+                                      {160, 90},
+                                      {240, 320},
+                                      {320, 180},
+                                      {480, 270},
+                                      {500, 500},
+                                      {640, 300},
+                                      {720, 1280},
+                                      {1280, 720},
+                                      {1600, 1200},
+                                      {3840, 2160}}) {
+    scene.film.width = width;
+    scene.film.height = height;
+    Digest digest;
+    for (const json& x : numbers_of(compute_layout(scene))) digest.add(x);
+    numbers.push_back(digest.sum());
+  }
+  return numbers;
+}
+
 /// Returns a built-in scene with all overlays of its body.
 scene::Scene with_all(const std::string& name, scene::Theme theme, scene::Frame frame) {
   scene::Scene scene = scene::load_scene(name);
@@ -186,11 +209,10 @@ json numbers_of(const scene::Scene& scene) {
   ViewContents still;
   still.begin(sphere.camera(0), view_pane.area);
   sphere.add_still(still);
-  json numbers{{"body", numbers_of(shown_by(body, state))},
-               {"surface", numbers_of(body.body())},
-               {"large surface", numbers_of(large.body())},
-               {"sphere", numbers_of(still)},
-               {"layout", numbers_of(compute_layout(scene))}};
+  json numbers{
+      {"body", numbers_of(shown_by(body, state))},   {"surface", numbers_of(body.body())},
+      {"large surface", numbers_of(large.body())},   {"sphere", numbers_of(still)},
+      {"layout", numbers_of(compute_layout(scene))}, {"layouts", numbers_of_layouts(scene)}};
   for (const InsetView& row : inset_views) {
     const auto view = row.make(scene, solutions, view_pane);
     numbers[std::string(enumerator_name(row.view))] = numbers_of(shown_by(*view, state));
