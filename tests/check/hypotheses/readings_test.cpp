@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "check/hypotheses/changed_rows.h"
 #include "check/recordings.h"
 
 namespace twrench::check {
@@ -54,6 +57,18 @@ TEST(Misfit, ForgivesACoarseMethod) {
     w += step * (inertia.inverse() * (inertia * w).cross(w));
   }
   EXPECT_TRUE(misfit(inertia, rows, true, false).fits());
+}
+
+TEST(Variation, IsTheLargerOneOfMomentumAndEnergy) {
+  EXPECT_LT(variation(inertia, exact_rows(128, 0.05)), 1e-7);
+  std::vector<Row> rows(2);
+  rows[0].omega = {1, 0, 0};
+  rows[1].omega = {2, 0, 0};
+  // |L| is 1 and 2 times something, the energy 1 and 4 times.
+  EXPECT_NEAR(variation(inertia, rows), 1.5 / 2.5, 1e-12);
+  rows[1].omega = {0, inertia(0, 0) / inertia(1, 1), 0};
+  const double ratio = inertia(0, 0) / inertia(1, 1);  // of the energies; |L| is the same
+  EXPECT_NEAR(variation(inertia, rows), std::abs(1 - ratio) / (1 + ratio), 1e-12);
 }
 
 TEST(OnlyFitting, IsNoneWhereTwoFit) {
