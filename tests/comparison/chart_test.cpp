@@ -10,7 +10,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three frames, of which 0, 1 and 100 of 10,000 pixels differ.
+/// In three frames, 0, 1 and 100 of 10,000 pixels differ.
 Comparison three_frames(double share) {
   Comparison comparison;
   comparison.criteria.share = share;
