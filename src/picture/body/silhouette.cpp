@@ -179,7 +179,7 @@ void Silhouette::find_outline(const Part& begin, const Part& part) {
 void Silhouette::point_outward(const Part& begin, const Part& part, const glm::vec3& eye) {
   for (std::size_t i = begin.vertex_end; i < part.vertex_end; ++i) shifts_[i] = {glm::vec3(0), 0};
   for (const Edge& edge : outline_) {
-    const std::uint32_t seen = is_seen(edge.half_edge) ? edge.half_edge : edge.other;
+    const std::uint32_t seen = seen_half_edge(edge);
     const std::uint32_t from = place(seen), to = place(next_half_edge(seen));
     const glm::vec3 outward = glm::cross(vertices_[from].position - eye,
                                          vertices_[to].position - vertices_[from].position);
@@ -209,7 +209,7 @@ void Silhouette::point_outward(const Part& begin, const Part& part, const glm::v
 /// Finds the bends of a mesh from the seen triangles at its outline.
 void Silhouette::find_bends(const glm::vec3& eye, float scale) {
   for (const Edge& edge : outline_) {
-    const std::uint32_t seen = is_seen(edge.half_edge) ? edge.half_edge : edge.other;
+    const std::uint32_t seen = seen_half_edge(edge);
     const std::uint32_t from = corners_[seen], to = corners_[next_half_edge(seen)],
                         apex = corners_[next_half_edge(next_half_edge(seen))];
     const glm::vec3 start = vertices_[from].position, sight = glm::normalize(eye - start);

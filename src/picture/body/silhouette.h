@@ -104,6 +104,10 @@ class Silhouette {
   void shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale);
   std::uint32_t place(std::size_t half_edge) const { return first_at_[corners_[half_edge]]; }
   bool is_seen(std::uint32_t half_edge) const { return faces_eye_[half_edge / 3] != 0; }
+  /// Returns the half-edge of an edge of the outline in the triangle that faces the eye.
+  std::uint32_t seen_half_edge(const Edge& edge) const {
+    return is_seen(edge.half_edge) ? edge.half_edge : edge.other;
+  }
 
   std::vector<Vertex> vertices_;
   std::vector<glm::vec3> colors_;

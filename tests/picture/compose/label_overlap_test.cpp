@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "picture/compose/label_painter.h"
+#include "picture/compose/letters.h"
 #include "picture/overlay_scene.h"
 #include "picture/views/body_view.h"
 #include "picture/views/shown.h"
@@ -13,27 +14,6 @@ namespace twrench::picture {
 namespace {
 
 using Eigen::Vector2d;
-
-/// Whether a pixel of the layer has the ink of the label's letters.
-bool is_ink(const Layer& layer, int x, int y, const Color& ink) {
-  const std::uint8_t* p =
-      &layer.image.pixels[static_cast<std::size_t>(4 * (y * layer.image.width + x))];
-  return std::abs(p[0] - ink.red) + std::abs(p[1] - ink.green) + std::abs(p[2] - ink.blue) < 60;
-}
-
-/// The pixels of the letters, without the thin line that leads to them.
-std::vector<Vector2d> letters(const Layer& layer, const Color& ink) {
-  constexpr int of_leader = 4;
-  std::vector<Vector2d> result;
-  for (int y = 0; y < layer.image.height; ++y) {
-    std::vector<Vector2d> row;
-    for (int x = 0; x < layer.image.width; ++x) {
-      if (is_ink(layer, x, y, ink)) row.emplace_back(layer.x + x, layer.y + y);
-    }
-    if (row.size() > of_leader) result.insert(result.end(), row.begin(), row.end());
-  }
-  return result;
-}
 
 double distance(const Vector2d& point, const Vector2d& from, const Vector2d& to) {
   const Vector2d way = to - from;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "canvas/font.h"
+#include "picture/compose/letters.h"
 
 namespace twrench::picture {
 namespace {
@@ -29,34 +30,21 @@ class LabelPainterTest : public testing::Test {
   canvas::Typeface typeface = canvas::load_typeface("sans");
   LabelPainter painter{typeface.regular, em, {14, 16, 21}, whole_picture, {}};
 
-  static bool is_ink(const Layer& layer, int x, int y, const Color& ink) {
-    const std::uint8_t* p =
-        &layer.image.pixels[static_cast<std::size_t>(4 * (y * layer.image.width + x))];
-    return std::abs(p[0] - ink.red) + std::abs(p[1] - ink.green) + std::abs(p[2] - ink.blue) < 60;
-  }
-
-  /// Returns the area of the letters: of the rows with more ink than a leader has.
-  static image::Area letters(const Layer& layer, const Color& ink) {
-    constexpr int of_leader = 4;
-    int left = 1 << 20, top = left, right = -1, bottom = -1;
-    for (int y = 0; y < layer.image.height; ++y) {
-      std::vector<int> places;
-      for (int x = 0; x < layer.image.width; ++x) {
-        if (is_ink(layer, x, y, ink)) places.push_back(x);
-      }
-      if (places.size() <= of_leader) continue;
-      left = std::min(left, places.front());
-      right = std::max(right, places.back());
-      top = std::min(top, y);
-      bottom = std::max(bottom, y);
+  /// Returns the area of the letters.
+  static image::Area area_of_letters(const Layer& layer, const Color& ink) {
+    Vector2d low = Vector2d::Constant(1 << 20), high = -low;
+    for (const Vector2d& pixel : letters(layer, ink)) {
+      low = low.cwiseMin(pixel);
+      high = high.cwiseMax(pixel);
     }
-    return {layer.x + left, layer.y + top, right - left + 1, bottom - top + 1};
+    const Eigen::Vector2i first = low.cast<int>(), size = (high - low).cast<int>();
+    return {first.x(), first.y(), size.x() + 1, size.y() + 1};
   }
 };
 
 TEST_F(LabelPainterTest, PutsALabelBeyondTheEndOfItsObject) {
   const auto layers = painter.paint(labels_at(0.5));
-  const image::Area letter = letters(layers[1], pink);
+  const image::Area letter = area_of_letters(layers[1], pink);
   const Vector2d tip = labels_at(0.5)[1].anchor;
   EXPECT_NEAR(letter.x + letter.width / 2.0, tip.x() + 0.5 * em, 0.5 * em);
   EXPECT_LT(letter.y + letter.height, tip.y()) << "above";
@@ -65,7 +53,7 @@ TEST_F(LabelPainterTest, PutsALabelBeyondTheEndOfItsObject) {
 TEST_F(LabelPainterTest, KeepsALabelOffAnArrowThatItsOwnNearlyAlignsWith) {
   for (double angle = -0.2; angle <= 0.2; angle += 0.002) {
     if (angle > -0.08 && angle < -0.055) continue;  // where it crosses
-    const image::Area letter = letters(painter.paint(labels_at(angle))[1], pink);
+    const image::Area letter = area_of_letters(painter.paint(labels_at(angle))[1], pink);
     const bool above = letter.y + letter.height<180 - 0.2 * em, below = letter.y> 180 + 0.2 * em;
     EXPECT_TRUE(above || below) << angle;
     if (angle > -0.055) {
@@ -122,7 +110,7 @@ TEST_F(LabelPainterTest, StaysInThePictureAndOutOfWhatIsTaken) {
   const LabelPainter full(typeface.regular, em, {14, 16, 21}, whole_picture, {{500, 0, 140, 360}});
   const Layer layer = full.paint({{"L", {505, 180}, {1, 0}, yellow, arrow_start}})[0];
   EXPECT_LE(layer.x + layer.image.width, 501 + 8) << "its leader may end at the tip";
-  const image::Area letter = letters(layer, yellow);
+  const image::Area letter = area_of_letters(layer, yellow);
   EXPECT_LE(letter.x + letter.width, 500);
 }
 
