@@ -6,6 +6,9 @@
 #include <cmath>
 #include <regex>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace twrench::plot {
 namespace {
@@ -63,25 +66,39 @@ TEST(StudyPlot, HasTimesInAUnitThatReadsWell) {
                                                        testing::HasSubstr("error of X at 20 d'")));
 }
 
+constexpr double width = 357, height = 330;  // of the panel of orders in pixels
+
+/// The panel of orders: its scale, and the labels of the slopes.
+struct OrderPanel {
+  explicit OrderPanel(const Plot& plot) {
+    const auto ranges = matches(plot.script, "set xrange \\[([^:]+):([^\\]]+)\\]");
+    low = std::stod(ranges.at(0)[1]);
+    high = std::stod(ranges.at(0)[2]);
+    const auto found = matches(plot.script, "set label '(h[^']*)' at ([^,]+), ([^ ]+) center");
+    for (const std::smatch& label : found) {
+      labels.emplace_back(label[1], pixel(std::stod(label[2]), std::stod(label[3])));
+    }
+  }
+  std::pair<double, double> pixel(double step, double error) const {
+    return {width * std::log(step / low) / std::log(high / low),
+            height * std::log(error / 1e-15) / std::log(1e16)};
+  }
+
+  double low, high;
+  std::vector<std::pair<std::string, std::pair<double, double>>> labels;
+};
+
 TEST(StudyPlot, PutsTheLabelsOfSlopesWhereThereAreNoMarkers) {
   const study::Study study = study_of_all();
-  const Plot plot = study_plot(study);
-  const auto ranges = matches(plot.script, "set xrange \\[([^:]+):([^\\]]+)\\]");
-  const double low = std::stod(ranges.at(0)[1]), high = std::stod(ranges.at(0)[2]);
-  const double width = 357, height = 330;  // of the panel in pixels
-  const auto pixel = [&](double step, double error) {
-    return std::pair(width * std::log(step / low) / std::log(high / low),
-                     height * std::log(error / 1e-15) / std::log(1e16));
-  };
-  const auto labels = matches(plot.script, "set label 'h[^']*' at ([^,]+), ([^ ]+) center");
-  ASSERT_EQ(labels.size(), 3U);
-  for (const std::smatch& label : labels) {
-    const auto [x, y] = pixel(std::stod(label[1]), std::stod(label[2]));
-    EXPECT_TRUE(x > 10 && x < width - 10 && y > 10 && y < height - 10) << label[0];
+  const OrderPanel panel(study_plot(study));
+  ASSERT_EQ(panel.labels.size(), 3U);
+  for (const auto& [label, place] : panel.labels) {
+    const auto& [x, y] = place;
+    EXPECT_TRUE(x > 10 && x < width - 10 && y > 10 && y < height - 10) << label;
     for (const study::MethodStudy& m : study.methods) {
       for (const study::StudyRun& run : m.runs) {
-        const auto [u, v] = pixel(run.step, run.early_error);
-        EXPECT_GT(std::hypot(u - x, v - y), 11) << label[0] << " at " << m.method->name;
+        const auto [u, v] = panel.pixel(run.step, run.early_error);
+        EXPECT_GT(std::hypot(u - x, v - y), 11) << label << " at " << m.method->name;
       }
     }
   }
@@ -94,17 +111,14 @@ TEST(StudyPlot, PutsTheLabelsOfSlopesApart) {
     m.runs.resize(2);
     m.runs[1].step = 1.1 * m.runs[0].step;
   }
-  const Plot plot = study_plot(study);
-  const auto labels = matches(plot.script, "set label 'h[^']*' at ([^,]+), ([^ ]+) center");
-  ASSERT_EQ(labels.size(), 3U);
-  const auto ranges = matches(plot.script, "set xrange \\[([^:]+):([^\\]]+)\\]");
-  const double decades = std::log(std::stod(ranges.at(0)[2]) / std::stod(ranges.at(0)[1]));
+  const OrderPanel panel(study_plot(study));
+  ASSERT_EQ(panel.labels.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double x = 357 * std::log(std::stod(labels[i][1]) / std::stod(labels[j][1])) / decades,
-                   y = 330 * std::log(std::stod(labels[i][2]) / std::stod(labels[j][2])) /
-                       std::log(1e16);
-      EXPECT_GT(std::hypot(x, y), 11) << labels[i][0] << " and " << labels[j][0];
+      const auto& [name, one] = panel.labels[i];
+      const auto& [other_name, other] = panel.labels[j];
+      EXPECT_GT(std::hypot(one.first - other.first, one.second - other.second), 11)
+          << name << " and " << other_name;
     }
   }
 }
