@@ -119,8 +119,11 @@ def thread_rows(start, end, radius, depth, pitch, count):
 
 
 def revolved(rows):
-    """The solid about x through rows of points, each closed, with a fan at either end."""
-    return loft([row[:-1] for row in rows])
+    """The solid about x through rows of points, with a fan at either end.
+
+    The rows at the ends are closed. A row of a thread ends where a later row begins.
+    """
+    return grid(rows) + cap(rows[0][:-1][::-1]) + cap(rows[-1][:-1])
 
 
 def painted(color, polygons):

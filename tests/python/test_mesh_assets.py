@@ -61,3 +61,14 @@ def test_each_edge_has_two_faces_which_agree(path):
 
 def test_meshes_are_small():
     assert sum(path.stat().st_size for path in MESHES.glob("*.obj")) < 3_000_000
+
+
+@pytest.mark.parametrize("name, start, end, pitch", [("t-handle-shaft", 39.5, 69.0, 1.5), ("wing-nut-hub", 0.6, 9.4, 1.25)])
+def test_a_thread_has_no_step(name, start, end, pitch):
+    """Where a turn of the thread ends, the next one begins: no face there extends over half a pitch."""
+    lines = (MESHES / f"{name}.obj").read_text().splitlines()
+    along = [float(line.split()[1]) for line in lines if line.startswith("v ")]
+    faces = [[along[int(i) - 1] for i in line.split()[1:]] for line in lines if line.startswith("f ")]
+    thread = [face for face in faces if start + pitch < min(face) and max(face) < end - pitch]
+    assert len(thread) > 500
+    assert max(max(face) - min(face) for face in thread) < 0.5 * pitch
