@@ -14,6 +14,7 @@ uniform vec3 picture;  // half its size in pixels, and the pixels of an offset o
 uniform vec3 eye;
 // Depth offset towards the eye in pixels, over a part that this one touches.
 uniform float part_lift;
+uniform float part_is_solid;  // 0 for foil on another part, else 1
 // Radii of curvature in the stage: near the silhouette; the same if the outline is round, else 0;
 // of a cylinder's rims, else 0.
 uniform vec3 part_radii;
@@ -51,6 +52,8 @@ void main() {
   // radius r a point with the cosine c between normal and line of sight lies r c^2 / 2 inside.
   vec3 radii = part_radii * clip_from_stage[1][1] * picture.y / place.w;  // pixels
   float cosine = dot(n, to_eye);
+  // Foil fades where it is seen almost edge-on: what is printed there would be lines of dots.
+  coverage *= max(part_is_solid, smoothstep(0.02, 0.1, cosine));
   float inside = abs(offset) < 1.0 ? 0.0 : min(0.5 * radii.y * cosine * cosine, 1.0);
   place.xy += (offset + 2.0 * inside) * picture.z * place.w * outward / picture.xy;
   gl_Position = place;

@@ -222,6 +222,7 @@ void BodyPass::draw_parts(const gl::VertexArray& array, const gl::Buffer& indice
     program.use();
     set_occluders(program, part, pose, lift > 0);
     program.set("part_lift", part.is_lifted() ? static_cast<float>(lift) : 0.0F);
+    program.set("part_is_solid", part.is_foil ? 0.0F : 1.0F);
     program.set("part_radii", part.radii);
     program.set("across_from_body", part.across_from_body);
     draw_to(program, ranges.side_begins[i], glm::vec3(0));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "draw/pose_renderer.h"
@@ -109,9 +110,8 @@ TEST_F(Intersection, OfAnyTwoPartsIsAntialiased) {
   }
 }
 
-// The two are as close as print and paper. Without a lift, the foil is hidden in part wherever the
-// outline moves it by half a pixel over a slope.
-TEST_F(Intersection, OfFoilAndThePartBelowIsAntialiased) {
+/// A light box with dark stripes of foil on its top, as close as print and paper.
+scene::Scene box_with_stripes() {
   body::TriangleMesh stripes;
   for (int i = 0; i < 4; ++i) {
     const double left = -1.2 + 0.6 * i, width = 0.04 + 0.08 * i;
@@ -123,10 +123,37 @@ TEST_F(Intersection, OfFoilAndThePartBelowIsAntialiased) {
     stripes.triangles.insert(stripes.triangles.end(),
                              {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
   }
-  const scene::Scene scene =
-      scene_of(part_of(picture::box_of_triangles({3, 2.4, 1})), part_of(stripes, 0.001));
-  const auto [worst, jagged] = deviation_of(scene, so3::exp(Vector3d(-0.4, 0.5, 0.6)));
+  return scene_of(part_of(picture::box_of_triangles({3, 2.4, 1})), part_of(stripes, 0.001));
+}
+
+// Without a lift, the foil is hidden in part wherever the outline moves it by half a pixel over a
+// slope.
+TEST_F(Intersection, OfFoilAndThePartBelowIsAntialiased) {
+  const auto [worst, jagged] = deviation_of(box_with_stripes(), so3::exp(Vector3d(-0.4, 0.5, 0.6)));
   EXPECT_LE(jagged, 4) << "the largest difference is " << worst << " of 255";
+}
+
+// Otherwise it would be lines of dots there.
+TEST_F(Intersection, FoilIsNotDrawnWhereItIsSeenAlmostEdgeOn) {
+  scene::Scene scene = box_with_stripes();
+  scene.film.width *= 4;
+  scene.film.height *= 4;
+  PoseRenderer renderer(*context, scene);
+  const Eigen::Matrix3d level = renderer.camera().camera_from_space().transpose() *
+                                so3::exp(Vector3d(-0.5 * std::numbers::pi, 0, 0));
+  const auto dark_pixels = [&](double tilt) {
+    const image::Image image = renderer.draw(level * so3::exp(Vector3d(tilt, 0, 0)));
+    int count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+      if (image.pixels[i + 3] == 255 && image.pixels[i + 1] < 60) ++count;
+    }
+    return count;
+  };
+  // The top is seen if the box is tilted by more than the angle between the line of sight to it and
+  // that to the centre.
+  const double first_seen = std::asin(0.5 / renderer.camera().distance);
+  EXPECT_GT(dark_pixels(first_seen + 0.3), 1000);
+  EXPECT_EQ(dark_pixels(first_seen + 0.02), 0);
 }
 
 }  // namespace

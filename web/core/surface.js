@@ -10,7 +10,7 @@ import { floatsAt } from './pictures.js';
 
 // The uniforms in the order in which the core writes them, with the number of floats of each.
 const sizesOfBody = { eye: 3, clip_from_stage: 16, stage_from_body: 9, stage_normal_from_body: 9 };
-const sizesOfPart = { part_lift: 1, part_radii: 3, side_axis: 3, across_from_body: 8 };
+const sizesOfPart = { part_lift: 1, part_is_solid: 1, part_radii: 3, side_axis: 3, across_from_body: 8 };
 const sizesOfFloor = { floor_from_place: 9, right_and_height: 4 };
 
 export class CoreSurface {

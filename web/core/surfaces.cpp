@@ -155,6 +155,7 @@ using namespace twrench::page;
   add_columns(stage.stage_normal_from_body);
   for (const PartModel& part : body.parts) {
     uniforms.push_back(!mirrored && part.is_lifted() ? 1 : 0);
+    uniforms.push_back(part.is_foil ? 0 : 1);
     add(part.radii);
     add(picture::side_axis_in_stage(body, part, camera, X));
     for (const glm::vec4& row : part.across_from_body) add(row);
