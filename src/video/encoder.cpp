@@ -70,7 +70,7 @@ Arguments more_inputs(const std::optional<system::MemoryFile>& chapters, const S
 void require_encoder(const VideoFormat& format, system::Patience patience) {
   system::ChildProcess ffmpeg =
       start_ffmpeg(joined({{"ffmpeg"}, encoder_arguments(format), {"-f", "null", "-"}}), patience);
-  system::ChildProcess ffprobe = start_ffmpeg({"ffprobe", "-version"}, patience);
+  start_ffmpeg({"ffprobe", "-version"}, patience);  // killed at once: it need only start
   // A frame of the real size, because not every encoder supports every size.
   if (format.is_rgb()) {
     ffmpeg.write(image::Image(format.width, format.height, format.transparent ? 4 : 3).pixels);
@@ -84,7 +84,6 @@ void require_encoder(const VideoFormat& format, system::Patience patience) {
             "choose a smaller size, or install an ffmpeg that has {}: apt-get install ffmpeg",
             output_format(format.container).encoding(format.transparent).codec->name));
   }
-  ffprobe.wait();
 }
 
 VideoEncoder::VideoEncoder(const std::filesystem::path& output, const VideoFormat& format,
