@@ -5,7 +5,8 @@ usage: mutate.py [--rooms ROOM,...] [--at FILE:LINE] N SEED
 
 Makes N changes, one at a time, chosen by SEED among the committed sources: the same N and SEED choose
 the same changes of the same sources. Runs the tests of the changed room, then those of the rooms above
-it, then those of the program and of the Python module, until one fails.
+it, then those of the program and of the Python module, until one fails. Leaves out the cases that do not
+run the changed function when nothing is changed.
 
 Changes are made only in a copy of the sources, build/mutate/source, which is built in
 build/mutate/build. The results are also written to build/mutate/SEED.log and build/mutate/SEED.json.
@@ -22,6 +23,7 @@ import argparse
 import errno
 import fcntl
 import json
+import os
 import re
 import shutil
 import signal
@@ -35,7 +37,8 @@ from typing import NoReturn, TextIO
 
 sys.dont_write_bytecode = True
 from mutation.changes import Change, draw, possible_changes, room_of
-from mutation.programs import Program, list_programs, run_program
+from mutation.coverage import Definitions, Module, Recorder
+from mutation.programs import Case, Program, list_programs, record, run_jobs
 from mutation.tree import AppliedChange, BuildError, Tree, rooms_above
 
 PROJECT = Path(__file__).resolve().parent.parent
@@ -119,22 +122,35 @@ class Tester:
     def __init__(self, tree: Tree, sources: dict[str, str]) -> None:
         self.tree, self.sources, self.above = tree, sources, rooms_above(sources)
         self.programs: list[Program] = []
+        self.definitions = {file: Definitions(file, text) for file, text in sources.items()}
 
     def run_unchanged(self, report: Report, rooms: set[str]) -> None:
-        """Records how long each program takes. Fails if one does not pass."""
+        """Records how long each case takes, and what it runs. Fails if one does not pass."""
         self.programs = list_programs(self.tree.build)
         self.tree.read_graph(self.programs)
         used = {id(p) for room in rooms for p in self.order(room)}
+        files = {file for program in self.programs for file in program.binaries}
+        modules = [Module(self.tree.build / file, self.tree.source, self.definitions) for file in sorted(files)]
+        recorders = [Recorder(self.tree.logs / f"trace-{k}", modules) for k in range(os.cpu_count() or 1)]
         failing = []
         for program in [p for p in self.programs if id(p) in used]:
-            outcome = run_program(program, self.tree.logs, self.tree.kept_open, 3600)
-            program.seconds = outcome.seconds
-            report.say(f"unchanged: {program.name} {'fails' if outcome.failure else 'passes'} "
-                       f"in {program.seconds:.1f} s")
-            if outcome.failure:
-                failing.append(f"{program.name} ({outcome.failure})")
+            begin = time.monotonic()
+            failures = record(program.cases, recorders, self.tree.logs, self.tree.kept_open)
+            report.say(f"unchanged: {program.name} {'fails' if failures else 'passes'} "
+                       f"in {time.monotonic() - begin:.1f} s")
+            failing += [f"{program.name} ({failure})" for failure in failures]
         if failing:
             raise CannotRun(f"{', '.join(failing)} fails without any change; make scripts/test.sh pass first")
+
+    def cases(self, program: Program, change: Change) -> list[Case]:
+        """The cases that may notice a change: those that run the changed function. Another definition, such
+        as a constant, may be used anywhere in its source, and that of a header anywhere."""
+        definitions = self.definitions[change.file]
+        if definitions.is_function_at(change.line):
+            return [c for c in program.cases if definitions.at(change.line) in c.definitions]
+        if change.file.endswith(".cpp"):
+            return [c for c in program.cases if any(d.file == change.file for d in c.definitions)]
+        return program.cases
 
     def order(self, room: str) -> list[Program]:
         """The programs that may notice a change of a room: that of the room first, then those of the
@@ -171,7 +187,8 @@ class Tester:
                     return NOT_COMPILED, "", ""
                 compiled |= new
                 changed |= {file for file in new if self.tree.digest(file) != self.tree.digests[file]}
-            if not objects & changed:
+            cases = self.cases(program, change) if objects & changed else []
+            if not cases:
                 continue
             try:
                 self.tree.make(*sorted(program.targets))
@@ -179,9 +196,9 @@ class Tester:
                 return NOTICED, program.name, "(the build)"
             if self.tree.is_unchanged(program):
                 continue
-            outcome = run_program(program, self.tree.logs, self.tree.kept_open, 10 * program.seconds + 30)
-            if outcome.failure:
-                return NOTICED, program.name, outcome.failure
+            limit = 10 * sum(case.seconds for case in cases) + 30
+            if failure := run_jobs(program.jobs(cases), self.tree.logs, self.tree.kept_open, limit):
+                return NOTICED, program.name, failure
         return (SURVIVED if changed else SAME_CODE), "", ""
 
 

@@ -54,11 +54,16 @@ class Tree:
                     path.unlink()
 
     def configure(self, linker: str | None) -> None:
-        options = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBUILD_TESTING=ON",
+        trace = self.build / "trace.o"
+        self._run(["cc", "-O2", "-fPIC", "-c", str(self.source / "scripts/mutation/trace.c"), "-o", str(trace)],
+                  "configure")
+        # A column would change the objects of a change that does not change the code.
+        flags = "-O1 -DNDEBUG -g1 -gno-column-info -fsanitize-coverage=trace-pc"
+        options = ["-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}", "-DBUILD_TESTING=ON",
                    "-DTWRENCH_PYTHON=ON", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=4",
                    "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]
-        if linker:
-            options += [f"-DCMAKE_{kind}_LINKER_FLAGS=-fuse-ld={linker}" for kind in ("EXE", "SHARED", "MODULE")]
+        linked = f"{trace} -fuse-ld={linker}" if linker else str(trace)
+        options += [f"-DCMAKE_{kind}_LINKER_FLAGS={linked}" for kind in ("EXE", "SHARED", "MODULE")]
         self._run(["cmake", "-G", "Ninja", "-S", str(self.source), "-B", str(self.build), *options], "configure")
 
     def make(self, *targets: str) -> None:
@@ -104,7 +109,7 @@ class Tree:
     def _targets(self, program: Program, known: set[str]) -> set[str]:
         """The ninja targets among the files and folders that the commands and their environment name."""
         targets = set()
-        for job in program.jobs:
+        for job in [case.job for case in program.cases]:
             for name in re.findall(rf"{re.escape(str(self.build))}/([\w./-]+)",
                                    "\n".join([*job.command, *job.environment.values()])):
                 inside = (self.build / name).rglob("*.so") if (self.build / name).is_dir() else []

@@ -1,14 +1,17 @@
 from __future__ import annotations
 
+import subprocess
 import sys
 from itertools import islice
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
 
 from mutation.changes import Change, draw, possible_changes, room_of
+from mutation.coverage import Definition, Definitions, Module, Recorder
 from mutation.tree import rooms_above
 
 
@@ -131,3 +134,90 @@ def test_rooms_above_follow_the_includes() -> None:
     }
     assert rooms_above(sources)["base"] == {"base": 0, "motion": 1, "picture/body": 2}
     assert rooms_above(sources)["picture/body"] == {"picture/body": 0}
+
+
+SOURCE = """#include "a.h"
+
+namespace twrench {
+namespace {
+
+constexpr double tolerance = 0.5;
+
+/// A comment (with brackets) {
+struct Place {
+  double length() const { return x; }
+  double x = 3;
+};
+
+constexpr int twice(int x) {
+  return 2 * x;
+}
+
+}  // namespace
+
+double sum(double a,
+           double b) {
+  const auto f = [&] {
+    return a;
+  };
+
+  return f() + b;
+}
+
+Place::Place(int x)
+    : x(x) {
+  if (x > 3) abort();
+}
+
+}  // namespace twrench
+"""
+
+
+def line_of(text: str) -> int:
+    return next(i for i, line in enumerate(SOURCE.splitlines(), 1) if text in line)
+
+
+@pytest.mark.parametrize(
+    "text, begin",
+    [("double a,", "double sum"), ("return a;", "double sum"), ("f() + b", "double sum"), ("abort", "Place::Place")],
+)
+def test_a_line_is_in_its_function(text: str, begin: str) -> None:
+    definitions = Definitions("a.cpp", SOURCE)
+    assert definitions.is_function_at(line_of(text))
+    assert definitions.at(line_of(text)) == Definition("a.cpp", line_of(begin))
+
+
+@pytest.mark.parametrize("text", ["= 0.5", "double length", "double x = 3", "2 * x", '"a.h"'])
+def test_what_may_be_used_at_compile_time_is_in_no_function(text: str) -> None:
+    assert not Definitions("a.cpp", SOURCE).is_function_at(line_of(text))
+
+
+PROGRAM = """#include <cstdlib>
+int one(int x) {
+  return x + 1;
+}
+
+int other(int x) {
+  return x + 2;
+}
+
+int main(int argc, char**) {
+  if (argc > 1) std::abort();
+  return argc == 1 ? one(-1) : other(-2);
+}
+"""
+
+
+@pytest.mark.parametrize("arguments", [[], ["killed"]])
+def test_the_functions_that_run_are_recorded(tmp_path: Path, arguments: list[str]) -> None:
+    (tmp_path / "a.cpp").write_text(PROGRAM)
+    trace = SCRIPTS / "mutation/trace.c"
+    subprocess.run(["cc", "-c", trace, "-o", "trace.o"], cwd=tmp_path, check=True)
+    subprocess.run(["c++", "-g1", "-fsanitize-coverage=trace-pc", tmp_path / "a.cpp", "trace.o", "-o", "a"],
+                   cwd=tmp_path, check=True)
+    module = Module(tmp_path / "a", tmp_path, {"a.cpp": Definitions("a.cpp", PROGRAM)})
+    recorder = Recorder(tmp_path / "records", [module])
+    recorder.begin()
+    subprocess.run([tmp_path / "a", *arguments], env=recorder.environment)
+    called = {PROGRAM.splitlines()[d.line - 1].split("(")[0] for d in recorder.end()}
+    assert called == ({"int main"} if arguments else {"int main", "int one"})
