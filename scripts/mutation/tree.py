@@ -17,6 +17,10 @@ from mutation.programs import Job, Process, Program
 SOURCES = re.compile(r"src/.*\.(cpp|h)|include/twrench/.*\.h")
 INCLUDE = re.compile(r'^#include (?:"|<twrench/)((?:\w+/)+)\w+\.h[">]', re.MULTILINE)
 
+# Options of the compiler for trace.c and for finding the functions. A column would change the objects of a
+# change that does not change the code. addr2line 2.40 gives wrong files for inlined functions in DWARF 5.
+RECORDING = "-fsanitize-coverage=trace-pc -g1 -gdwarf-4 -gno-column-info"
+
 
 class BuildError(Exception):
     """The sources do not build; the message is the path of the log."""
@@ -57,8 +61,7 @@ class Tree:
         trace = self.build / "trace.o"
         self._run(["cc", "-O2", "-fPIC", "-c", str(self.source / "scripts/mutation/trace.c"), "-o", str(trace)],
                   "configure")
-        # A column would change the objects of a change that does not change the code.
-        flags = "-O1 -DNDEBUG -g1 -gno-column-info -fsanitize-coverage=trace-pc"
+        flags = f"-O1 -DNDEBUG {RECORDING}"
         options = ["-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}", "-DBUILD_TESTING=ON",
                    "-DTWRENCH_PYTHON=ON", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=4",
                    "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]

@@ -99,6 +99,14 @@ TEST(Completions, OfEachShellOfferMeshesToEveryCommandThatTakesAScene) {
             commands);
 }
 
+TEST(Completions, OfZshPutAnEqualsSignOnlyBetweenALongOptionAndItsValue) {
+  Command command{"try", "A try", {}, {}, {}, ""};
+  command.options = {{{"-o", "--output"}, "FILE", "where", "", {}}, {{"--bare"}, "", "less", "", {}}};
+  EXPECT_THAT(zsh_completion({}, {command}),
+              AllOf(HasSubstr("-o --output)-o[where]:FILE:"),
+                    HasSubstr("-o --output)--output=[where]:FILE:"), HasSubstr("'--bare[less]'")));
+}
+
 TEST(Completions, QuoteWhatTheShellsWouldRead) {
   Command command{"try", "It's [one]: a try", {}, {}, {}, ""};
   command.options = {{{"--a"}, "X:Y", "it's [one]: yes", "", {}}};

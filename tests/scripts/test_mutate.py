@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from itertools import islice
@@ -12,7 +13,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 from mutation.changes import Change, draw, possible_changes, room_of
 from mutation.coverage import Definition, Definitions, Module, Recorder
-from mutation.tree import rooms_above
+from mutation.tree import RECORDING, rooms_above
 
 
 def changed(text: str, kind: str) -> list[str]:
@@ -193,17 +194,20 @@ def test_what_may_be_used_at_compile_time_is_in_no_function(text: str) -> None:
 
 
 PROGRAM = """#include <cstdlib>
-int one(int x) {
-  return x + 1;
+[[gnu::always_inline]] static inline int inlined(int x) {
+  int sum = 0;
+  for (int i = 0; i < x; ++i) sum += i * x;
+  return sum;
 }
 
-int other(int x) {
+[[gnu::noinline]] int other(int x) {
   return x + 2;
 }
 
 int main(int argc, char**) {
+  volatile int count = 3;
   if (argc > 1) std::abort();
-  return argc == 1 ? one(-1) : other(-2);
+  return count == 3 ? inlined(count) : other(count);
 }
 """
 
@@ -211,13 +215,14 @@ int main(int argc, char**) {
 @pytest.mark.parametrize("arguments", [[], ["killed"]])
 def test_the_functions_that_run_are_recorded(tmp_path: Path, arguments: list[str]) -> None:
     (tmp_path / "a.cpp").write_text(PROGRAM)
+    (tmp_path / "unity.cxx").write_text('#include "a.cpp"\n')
     trace = SCRIPTS / "mutation/trace.c"
     subprocess.run(["cc", "-c", trace, "-o", "trace.o"], cwd=tmp_path, check=True)
-    subprocess.run(["c++", "-g1", "-fsanitize-coverage=trace-pc", tmp_path / "a.cpp", "trace.o", "-o", "a"],
-                   cwd=tmp_path, check=True)
+    subprocess.run(["c++", *RECORDING.split(), "-O1", tmp_path / "unity.cxx", "trace.o", "-o", "a"], cwd=tmp_path,
+                   check=True)
     module = Module(tmp_path / "a", tmp_path, {"a.cpp": Definitions("a.cpp", PROGRAM)})
     recorder = Recorder(tmp_path / "records", [module])
     recorder.begin()
     subprocess.run([tmp_path / "a", *arguments], env=recorder.environment)
-    called = {PROGRAM.splitlines()[d.line - 1].split("(")[0] for d in recorder.end()}
-    assert called == ({"int main"} if arguments else {"int main", "int one"})
+    called = {re.findall(r"(\w+)\(", PROGRAM.splitlines()[d.line - 1])[0] for d in recorder.end()}
+    assert called == ({"main"} if arguments else {"main", "inlined"})
