@@ -234,6 +234,14 @@ TEST_F(CompareFolders, ReportIsOnePageWithPictures) {
   EXPECT_LT(page.find("<h2>b.png"), page.find("<h2>a&lt;b.png"));  // the worst first
 }
 
+TEST_F(CompareFolders, ReportHasNoPicturesOfAFrameThatCannotBeRead) {
+  add("a.png", 100, 130);
+  system::write_file_atomically(folder_ / "actual/a.png", "no picture");
+  EXPECT_EQ(compare("--report report.html").code, 5);
+  const std::string page = text_of(folder_ / "report.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("<h2>a.png"), Not(HasSubstr("class=\"stage"))));
+}
+
 TEST_F(CompareFolders, ReportOfManyFramesListsWhatHasNoPictures) {
   for (int i = 0; i < 30; ++i) add("f" + std::to_string(i) + ".png", 100, 101 + i);
   EXPECT_EQ(compare("--report report.html").code, 1);

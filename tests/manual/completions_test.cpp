@@ -12,6 +12,7 @@
 namespace twrench::manual {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 TEST(Completions, HaveEachOptionOfEachCommand) {
@@ -101,7 +102,8 @@ TEST(Completions, OfEachShellOfferMeshesToEveryCommandThatTakesAScene) {
 
 TEST(Completions, OfZshPutAnEqualsSignOnlyBetweenALongOptionAndItsValue) {
   Command command{"try", "A try", {}, {}, {}, ""};
-  command.options = {{{"-o", "--output"}, "FILE", "where", "", {}}, {{"--bare"}, "", "less", "", {}}};
+  command.options = {{{"-o", "--output"}, "FILE", "where", "", {}},
+                     {{"--bare"}, "", "less", "", {}}};
   EXPECT_THAT(zsh_completion({}, {command}),
               AllOf(HasSubstr("-o --output)-o[where]:FILE:"),
                     HasSubstr("-o --output)--output=[where]:FILE:"), HasSubstr("'--bare[less]'")));
