@@ -4,8 +4,9 @@ from __future__ import annotations
 import os
 import re
 import subprocess
+from array import array
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -56,11 +57,13 @@ class Module:
         self.path, self.source, self.definitions = path, source, definitions
         self.known: dict[int, frozenset[Definition]] = {}
 
-    def definitions_at(self, addresses: list[int]) -> set[Definition]:
-        new = [a for a in addresses if a not in self.known]
-        if new:
-            self.known.update(zip(new, self._find(new)))
+    def definitions_at(self, addresses: Iterable[int]) -> set[Definition]:
         return set().union(*(self.known[a] for a in addresses))
+
+    def learn(self, addresses: set[int]) -> None:
+        """Must contain all addresses before definitions_at() is called. addr2line takes long to start."""
+        if new := sorted(addresses - self.known.keys()):
+            self.known.update(zip(new, self._find(new)))
 
     def _find(self, addresses: list[int]) -> Iterator[frozenset[Definition]]:
         # The recorded addresses are those to which the blocks' calls return.
@@ -74,6 +77,10 @@ class Module:
                 if file in self.definitions:
                     found.add(self.definitions[file].at(int(match[2])))
             yield frozenset(found)
+
+
+# The addresses of the code that one process and its children run.
+Addresses = dict[Module, "array[int]"]
 
 
 class Recorder:
@@ -91,13 +98,20 @@ class Recorder:
             with file.open("wb") as record:
                 record.truncate(module.path.stat().st_size)
 
-    def end(self) -> set[Definition]:
-        found = set[Definition]()
+    def end(self) -> Addresses:
+        found = {}
         for module in self.modules:
             file = self.folder / module.path.name
-            found |= module.definitions_at(list(recorded_addresses(file)))
+            found[module] = array("L", recorded_addresses(file))
             file.unlink()
         return found
+
+
+def definitions_of(records: list[Addresses]) -> list[set[Definition]]:
+    """Returns for each record the definitions that contain its addresses."""
+    for module in {module for record in records for module in record}:
+        module.learn(set().union(*(record[module] for record in records)))
+    return [set().union(*(module.definitions_at(found) for module, found in record.items())) for record in records]
 
 
 def recorded_addresses(file: Path) -> Iterator[int]:

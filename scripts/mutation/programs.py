@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from mutation.coverage import Definition, Recorder
+from mutation.coverage import Addresses, Definition, Recorder, definitions_of
 
 FAILED = re.compile(r"^(?:\[  FAILED  \]|FAILED|ERROR) (\S+)", re.MULTILINE)
 STARTED = re.compile(r"^\[ RUN      \] (\S+)", re.MULTILINE)
@@ -199,6 +199,7 @@ def record(cases: list[Case], recorders: list[Recorder], logs: Path, kept_open: 
     Returns the cases that fail."""
     free, failures = list(recorders), list[str]()
     running: dict[str, tuple[Case, Recorder, float]] = {}
+    records = list[tuple[Case, Addresses]]()
 
     def start() -> Iterator[Job]:
         for case in cases:
@@ -209,8 +210,11 @@ def record(cases: list[Case], recorders: list[Recorder], logs: Path, kept_open: 
 
     for process in finished(start(), logs, kept_open, float("inf")):
         case, recorder, begin = running.pop(process.job.name)
-        case.seconds, case.definitions = time.monotonic() - begin, recorder.end()
+        case.seconds = time.monotonic() - begin
+        records.append((case, recorder.end()))
         free.append(recorder)
         if failure := process.failure():
             failures.append(failure)
+    for (case, _), definitions in zip(records, definitions_of([addresses for _, addresses in records])):
+        case.definitions = definitions
     return failures

@@ -12,7 +12,7 @@ SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 
 from mutation.changes import Change, draw, possible_changes, room_of
-from mutation.coverage import Definition, Definitions, Module, Recorder
+from mutation.coverage import Definition, Definitions, Module, Recorder, definitions_of
 from mutation.tree import RECORDING, rooms_above
 
 
@@ -224,5 +224,6 @@ def test_the_functions_that_run_are_recorded(tmp_path: Path, arguments: list[str
     recorder = Recorder(tmp_path / "records", [module])
     recorder.begin()
     subprocess.run([tmp_path / "a", *arguments], env=recorder.environment)
-    called = {re.findall(r"(\w+)\(", PROGRAM.splitlines()[d.line - 1])[0] for d in recorder.end()}
+    [found] = definitions_of([recorder.end()])
+    called = {re.findall(r"(\w+)\(", PROGRAM.splitlines()[d.line - 1])[0] for d in found}
     assert called == ({"main"} if arguments else {"main", "inlined"})
