@@ -52,7 +52,7 @@ void main() {
   // radius r a point with the cosine c between normal and line of sight lies r c^2 / 2 inside.
   vec3 radii = part_radii * clip_from_stage[1][1] * picture.y / place.w;  // pixels
   float cosine = dot(n, to_eye);
-  // Foil fades where it is seen almost edge-on: what is printed there would be lines of dots.
+  // Foil fades where it is seen almost edge-on. A print would be lines of dots there.
   coverage *= max(part_is_solid, smoothstep(0.02, 0.1, cosine));
   float inside = abs(offset) < 1.0 ? 0.0 : min(0.5 * radii.y * cosine * cosine, 1.0);
   place.xy += (offset + 2.0 * inside) * picture.z * place.w * outward / picture.xy;

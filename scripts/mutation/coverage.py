@@ -1,4 +1,4 @@
-"""Which functions of the sources a test runs, as recorded by trace.c."""
+"""Records which functions of the sources a test runs, by trace.c.
 from __future__ import annotations
 
 import os

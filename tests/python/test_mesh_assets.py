@@ -65,7 +65,7 @@ def test_meshes_are_small():
 
 @pytest.mark.parametrize("name, start, end, pitch", [("t-handle-shaft", 39.5, 69.0, 1.5), ("wing-nut-hub", 0.6, 9.4, 1.25)])
 def test_a_thread_has_no_step(name, start, end, pitch):
-    """Where a turn of the thread ends, the next one begins: no face there extends over half a pitch."""
+    """Each turn of the thread begins where the one before it ends: no face extends over half a pitch."""
     lines = (MESHES / f"{name}.obj").read_text().splitlines()
     along = [float(line.split()[1]) for line in lines if line.startswith("v ")]
     faces = [[along[int(i) - 1] for i in line.split()[1:]] for line in lines if line.startswith("f ")]
