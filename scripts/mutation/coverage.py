@@ -1,4 +1,4 @@
-"""Records which functions of the sources a test runs, by trace.c.
+"""Finds the functions of the sources that a test runs, in the records of trace.c."""
 from __future__ import annotations
 
 import os

@@ -63,7 +63,8 @@ def test_meshes_are_small():
     assert sum(path.stat().st_size for path in MESHES.glob("*.obj")) < 3_000_000
 
 
-@pytest.mark.parametrize("name, start, end, pitch", [("t-handle-shaft", 39.5, 69.0, 1.5), ("wing-nut-hub", 0.6, 9.4, 1.25)])
+@pytest.mark.parametrize("name, start, end, pitch", [("t-handle-shaft", 39.5, 69.0, 1.5),
+                                                     ("wing-nut-hub", 0.6, 9.4, 1.25)])
 def test_a_thread_has_no_step(name, start, end, pitch):
     """Each turn of the thread begins where the one before it ends: no face extends over half a pitch."""
     lines = (MESHES / f"{name}.obj").read_text().splitlines()
