@@ -161,6 +161,27 @@ TEST(GltfScene, HasTheCameraOfTheScene) {
   EXPECT_NEAR((turn * Vector3d::UnitX()).y(), 0, 0.05) << "upright";
 }
 
+TEST(GltfScene, HasACameraThatSeesTheWholeArrows) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.film.width = 400;  // L points to the right, where there is little room
+  scene.film.height = 1600;
+  const GlbReader glb = read(scene);
+  const auto& camera = glb.json["nodes"][glb.node("camera")];
+  const auto& lens = glb.json["cameras"][0]["perspective"];
+  const auto& arrow = glb.json["nodes"][glb.node("L")];
+  const Quaterniond turn(camera["rotation"].get<std::vector<double>>().data()),
+      along(arrow["rotation"].get<std::vector<double>>().data());
+  const auto& primitive =
+      glb.json["meshes"][arrow["mesh"].get<std::size_t>()]["primitives"][0]["attributes"];
+  const auto& accessor = glb.json["accessors"][primitive["POSITION"].get<std::size_t>()];
+  const double length = accessor["max"][2].get<double>();
+  const Vector3d eye(camera["translation"].get<std::vector<double>>().data());
+  const Vector3d seen = turn.inverse() * (along * Vector3d(0, 0, length) - eye);
+  const double reach = std::tan(0.5 * lens["yfov"].get<double>()) * -seen.z();
+  EXPECT_LT(std::abs(seen.y()), reach);
+  EXPECT_LT(std::abs(seen.x()), reach * lens["aspectRatio"].get<double>());
+}
+
 // A node that turns carries the camera, so that it is where the film's camera is at any time.
 TEST(GltfScene, HasACameraThatMovesAsTheFilmsDoes) {
   scene::Scene scene = scene::load_scene("dzhanibekov");
