@@ -43,6 +43,14 @@ TEST(Report, SolvesEveryTaskUnlessASceneIsGiven) {
   EXPECT_THAT(all, Not(HasSubstr("<iframe")));
 }
 
+TEST(Report, HasThePageOfTheMotionInAFrame) {
+  const ScratchFolder folder;
+  ASSERT_EQ(run_twrench(folder, "report stable-z --duration 10 -o a.html").code, 0);
+  const std::string all = text_of(folder / "a.html");
+  EXPECT_EQ(count(all, "<iframe"), 1U);
+  EXPECT_THAT(all, HasSubstr("srcdoc=\"&lt;!doctype html&gt;"));
+}
+
 TEST(Report, OfASceneIsAboutItsMotion) {
   const ScratchFolder folder;
   for (const char* options : {"stable-z", "--inertia 2,3,4", "--omega 1,2,3"}) {
