@@ -178,8 +178,9 @@ def finished(jobs: Iterable[Job], logs: Path, kept_open: Sequence[int], seconds:
             if not running:
                 return
             for process in list(running):
-                process.is_late = time.monotonic() - begin > seconds or process.is_silent()
-                if process.child.poll() is not None or process.is_late:
+                has_ended = process.child.poll() is not None
+                process.is_late = not has_ended and (time.monotonic() - begin > seconds or process.is_silent())
+                if has_ended or process.is_late:
                     running.remove(process)
                     process.kill()  # also the rest of its group
                     yield process
