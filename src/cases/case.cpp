@@ -1,7 +1,6 @@
 #include "cases/case.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
@@ -150,13 +149,7 @@ std::string momentum_unit(const Case& problem) {
 std::string energy_unit(const Case& problem) { return momentum_unit(problem) + "^2"; }
 
 Case parse_case(std::string_view toml, const std::string& source) {
-  toml::table root;
-  try {
-    root = toml::parse(toml, source);
-  } catch (const toml::parse_error& error) {
-    throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line),
-                          std::string(error.description()));
-  }
+  const toml::table root = scene::parse_toml(toml, source);
   TomlTable file(root, source, "");
   Case problem = read_case(file);
   problem.name = std::filesystem::path(source).stem().string();

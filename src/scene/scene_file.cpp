@@ -24,15 +24,6 @@ bool has_ending_of_scenes(const std::string& path) {
   return to_lower(std::filesystem::path(path).extension().string()) == ".toml";
 }
 
-/// The parser's message, except the one that contains the name of a macro.
-std::string reason_of(const toml::parse_error& error) {
-  const std::string_view description = error.description();
-  if (description.find("TOML_MAX_NESTED_VALUES") == std::string_view::npos) {
-    return std::string(description);
-  }
-  return fmt::format("arrays and tables are nested more than {} deep", TOML_MAX_NESTED_VALUES);
-}
-
 /// Marks the values set so far as given by the scene instead of the user.
 void mark_as_of_scene(Scene& scene) {
   for (const auto member : all_origins) {
@@ -42,15 +33,10 @@ void mark_as_of_scene(Scene& scene) {
 }
 
 Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) {
-  toml::table root;
-  try {
-    root = toml::parse(text, source);
-  } catch (const toml::parse_error& error) {
-    throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line), reason_of(error),
-                          has_ending_of_scenes(source)
-                              ? ""
-                              : "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb");
-  }
+  const std::string remedy = has_ending_of_scenes(source)
+                                 ? ""
+                                 : "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb";
+  const toml::table root = parse_toml(text, source, remedy);
   Scene scene;
   scene.name = std::filesystem::path(source).stem().string();
   TomlTable file(root, source, "");

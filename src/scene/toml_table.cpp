@@ -53,7 +53,40 @@ ordered_json texts(const toml::node& node, const std::string& what) {
   return values;
 }
 
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// The parser's message "Error while parsing string: unexpected character", in the words of other
+/// messages. One contains the name of a macro.
+std::string reason_of(std::string_view description) {
+  if (contains(description, "TOML_MAX_NESTED_VALUES")) {
+    return fmt::format("arrays and tables are nested more than {} deep", TOML_MAX_NESTED_VALUES);
+  }
+  constexpr std::string_view beginning = "Error while parsing ";
+  if (!description.starts_with(beginning)) return std::string(description);
+  return fmt::format("cannot read this {}", description.substr(beginning.size()));
+}
+
+std::string remedy_for(std::string_view description) {
+  if (contains(description, "TOML_MAX_NESTED_VALUES")) return "";
+  if (contains(description, "cannot redefine")) return "remove one of the two";
+  if (contains(description, "end-of-file")) return "complete it";
+  return "a line is KEY = VALUE or [TABLE]; a text is in quotes";
+}
+
 }  // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& source,
+                       const std::string& remedy) {
+  try {
+    return toml::parse(text, source);
+  } catch (const toml::parse_error& error) {
+    throw InvalidArgument(fmt::format("{}:{}", source, error.source().begin.line),
+                          reason_of(error.description()),
+                          remedy.empty() ? remedy_for(error.description()) : remedy);
+  }
+}
 
 std::string TomlTable::place(const std::string& key) const {
   const toml::node* node = table_.get(key);

@@ -9,12 +9,18 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/limits.h"
 #include "scene/value_form.h"
 
 namespace twrench::scene {
+
+/// Parses the text of `source`. Throws InvalidArgument that names the line of a mistake in the
+/// syntax, with `remedy`, or if that is empty with one for the mistake.
+toml::table parse_toml(std::string_view text, const std::string& source,
+                       const std::string& remedy = {});
 
 /// A TOML table that is read key by key into values that already hold their defaults. Every
 /// mistake, including a key that is never requested (reported by finish()), is an InvalidArgument

@@ -17,7 +17,10 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST(SceneFile, BuiltInScenesLoad) {
   for (const std::string& name : builtin_scene_names()) {
@@ -36,6 +39,25 @@ TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {
   } catch (const InvalidArgument& error) {
     EXPECT_STREQ(error.what(), "a.toml:2: arrays and tables are nested more than 256 deep");
   }
+}
+
+// The words after "cannot read this" are those of the parser, which differ between its versions.
+TEST(SceneFile, WithAMistakeInItsSyntaxIsRefusedWithARemedy) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      parse_scene(text, "a.toml");
+    } catch (const InvalidArgument& error) {
+      return fmt::format("{}; {}", error.what(), error.remedy());
+    }
+    return "none";
+  };
+  EXPECT_THAT(refusal("title = 'a'\n[film]\nfps ="),
+              AllOf(StartsWith("a.toml:3: cannot read this "), EndsWith("; complete it")));
+  EXPECT_THAT(refusal("title = 'a'\ntitle = 'b'"), AllOf(StartsWith("a.toml:2: cannot read this "),
+                                                         EndsWith("; remove one of the two")));
+  EXPECT_THAT(refusal("title = a name"),
+              AllOf(StartsWith("a.toml:1: cannot read this "),
+                    EndsWith("; a line is KEY = VALUE or [TABLE]; a text is in quotes")));
 }
 
 // Each shot has a separate body.
