@@ -106,10 +106,11 @@ constexpr std::array formats{OutputFormat{.container = Container::mp4,
 static_assert(has_row_for_each(formats, &OutputFormat::container));
 
 /// The index precedes the frames, so that a player can start at once. It is moved there at the end;
-/// in a streamed video, each fragment has its own index before it.
+/// in a streamed video, each fragment has its own index before it. The first one is written with
+/// the first fragment (delay_moov), because it states the delay of reordered frames.
 std::string_view index_arguments(const OutputFormat& format, bool streamed) {
   if (!format.has_index) return "";
-  return streamed ? "-movflags +frag_keyframe+empty_moov+default_base_moof"
+  return streamed ? "-movflags +frag_keyframe+delay_moov+default_base_moof"
                   : "-movflags +faststart";
 }
 

@@ -179,6 +179,17 @@ TEST(Outputs, NamesAreChosenBeforeTheFirstFrame) {
   EXPECT_EQ(run_twrench(folder, film_command + "-o x.MoV").code, 0);
 }
 
+// --encode small reorders frames.
+TEST(Outputs, AFilmOnStandardOutputStartsAtZero) {
+  const ScratchFolder folder;
+  for (const std::string container : {"mp4", "mkv", "mov"}) {
+    const Outcome run = run_shell(
+        folder, "\"$TWRENCH\" " + film_command + "-o - --encode small --container " + container +
+                    " >v && ffprobe -v error -of csv=p=0 -show_entries stream=start_time v");
+    EXPECT_EQ(run.out, "0.000000\n") << container << run.err;
+  }
+}
+
 TEST(Outputs, AFilmIsWrittenToStandardOutput) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
