@@ -145,7 +145,11 @@ std::vector<Layer> LabelPainter::paint(const std::vector<Label>& labels) const {
     const double offset = half.dot(label.away.cwiseAbs()) + label_distance * size_;
     const Vector2d corner = label.anchor + offset * label.away - half;
     const Box free{corner.x(), corner.y(), width, height};
-    const Box box = placed(beside_objects(free, labels, label), taken);
+    const Box beside = beside_objects(free, labels, label);
+    Box box = placed(beside, taken);
+    if (box.middle() != beside.middle()) {  // perhaps over an arrow
+      box = placed(beside_objects(box, labels, label), taken);
+    }
     taken.push_back(box);
     layers.push_back(painted(label, line, box, (box.middle() - free.middle()).norm() / size_));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "picture/compose/label_painter.h"
 #include "picture/compose/letters.h"
@@ -38,10 +39,13 @@ bool is_over_an_arrow(const std::vector<Label>& labels, const std::vector<Layer>
   return false;
 }
 
-class LabelsOf : public testing::TestWithParam<std::string> {};
+/// Scenes, without and with the arrows of the body's axes.
+class LabelsOf : public testing::TestWithParam<std::tuple<std::string, bool>> {};
 
 TEST_P(LabelsOf, DoNotLieOverOtherArrowsForLong) {
-  scene::Scene scene = scene::load_scene(GetParam());
+  const auto& [name, with_axes] = GetParam();
+  scene::Scene scene = scene::load_scene(name);
+  if (with_axes) scene.overlay.show.insert(scene::Feature::axes);
   scene.film.width = 1280;
   scene.film.height = 720;
   std::vector<int> frames;
@@ -70,7 +74,9 @@ std::vector<std::string> scenes_of_one_shot() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LabelsOf, testing::ValuesIn(scenes_of_one_shot()));
+INSTANTIATE_TEST_SUITE_P(All, LabelsOf,
+                         testing::Combine(testing::ValuesIn(scenes_of_one_shot()),
+                                          testing::Bool()));
 
 }  // namespace
 }  // namespace twrench::picture
