@@ -25,6 +25,8 @@ TEST(Epoch, HasAsManyDecimalsAsAsked) {
   EXPECT_EQ(format_epoch(epoch, 4, 1), "2023-12-31T23:59:59.4");
   EXPECT_EQ(format_epoch(epoch, 1'000'000'000'000'000'007, 18),
             "2024-01-01T00:00:00.000000000000000007");
+  EXPECT_EQ(format_epoch(parse_epoch("9999-12-31T23:59:59", "epoch"), 9, 1),
+            "9999-12-31T23:59:59.9");
 }
 
 TEST(Epoch, RefusesWhatIsNone) {

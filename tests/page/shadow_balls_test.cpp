@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
+#include <random>
 
 namespace twrench::page {
 namespace {
@@ -35,6 +37,40 @@ TEST(ReducedShadowBalls, AreMergedWithTheClosest) {
       std::ranges::max_element(balls, {}, [](const Ball& ball) { return ball.centre.x(); });
   EXPECT_NEAR(farthest->centre.x(), 50, 1e-12);
   EXPECT_LT(std::ranges::max(balls, {}, &Ball::radius).radius, 3 * farthest->radius);
+}
+
+/// Merges the two balls whose cross-sections have the least second moment about their common mean.
+void merge_two(std::vector<Ball>& balls) {
+  const auto section = [](const Ball& ball) { return ball.radius * ball.radius; };
+  const auto cost = [&](const Ball& a, const Ball& b) {
+    const double share = section(a) * section(b) / (section(a) + section(b));
+    return share * (a.centre - b.centre).squaredNorm();
+  };
+  std::size_t first = 0, second = 1;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (std::size_t k = i + 1; k < balls.size(); ++k) {
+      if (cost(balls[i], balls[k]) < cost(balls[first], balls[second])) first = i, second = k;
+    }
+  }
+  const Ball a = balls[first], b = balls[second];
+  const double sum = section(a) + section(b);
+  balls[first] = {(section(a) * a.centre + section(b) * b.centre) / sum, std::sqrt(sum)};
+  balls.erase(balls.begin() + static_cast<std::ptrdiff_t>(second));
+}
+
+TEST(ReducedShadowBalls, AreThoseOfASearchThroughAllPairs) {
+  std::vector<body::Part> parts;
+  std::mt19937 dice(1);
+  const auto roll = [&] { return dice() / 4294967296.0; };
+  for (int i = 0; i < 150; ++i) parts.push_back(ball_at(10 * roll(), 10 * roll()));
+  std::vector<Ball> expected = picture::shadow_balls(parts);
+  while (expected.size() > 64) merge_two(expected);
+  const std::vector<Ball> balls = reduced_shadow_balls(parts);
+  ASSERT_EQ(balls.size(), expected.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    EXPECT_NEAR((balls[i].centre - expected[i].centre).norm(), 0, 1e-12) << i;
+    EXPECT_NEAR(balls[i].radius, expected[i].radius, 1e-12) << i;
+  }
 }
 
 }  // namespace
