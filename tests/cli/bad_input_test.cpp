@@ -118,6 +118,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"render --size 0x360", 2, "--size: is 0"},
         Mistake{"render --size -640x360", 2, "--size: is -640"},
         Mistake{"render --size 640", 2, "--size: '640' is not WIDTHxHEIGHT"},
+        Mistake{"render --size 640x", 2, "--size: '640x' is not WIDTHxHEIGHT"},
+        Mistake{"render --size 640,360", 2, "--size: '640,360' is not WIDTHxHEIGHT"},
         Mistake{"render --size 641x360", 2, "--size 642x360"},
         Mistake{"render --size 99999x99999", 2, "--size: is 99999"},
         Mistake{"render --fps 0", 2, "--fps: is 0"}, Mistake{"render --fps -5", 2, "--fps: is -5"},

@@ -24,13 +24,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return words;
 }
 
-std::vector<double> split_numbers(const std::string& text, char separator,
-                                  const std::string& what) {
-  std::vector<double> values;
-  for (const std::string& word : split(text, separator)) values.push_back(parse_number(word, what));
-  return values;
-}
-
 }  // namespace
 
 std::vector<std::string> parse_words(const std::string& text) { return split(text, ','); }
@@ -58,24 +51,26 @@ int parse_whole(const std::string& text, const std::string& what,
 }
 
 std::vector<double> parse_numbers(const std::string& text, const std::string& what) {
-  return split_numbers(text, ',', what);
+  std::vector<double> values;
+  for (const std::string& word : parse_words(text)) values.push_back(parse_number(word, what));
+  return values;
 }
 
 Eigen::Vector3d parse_vector(const std::string& text, const std::string& what) {
-  const std::vector<double> v = split_numbers(text, ',', what);
+  const std::vector<double> v = parse_numbers(text, what);
   if (v.size() == 3) return {v[0], v[1], v[2]};
   throw InvalidArgument(what, fmt::format("'{}' is not three numbers separated by commas", text));
 }
 
 Eigen::Vector4d parse_quaternion(const std::string& text, const std::string& what) {
-  const std::vector<double> q = split_numbers(text, ',', what);
+  const std::vector<double> q = parse_numbers(text, what);
   if (q.size() == 4) return {q[0], q[1], q[2], q[3]};
   throw InvalidArgument(what, fmt::format("has {} numbers", q.size()),
                         "give the four of a quaternion, the scalar first");
 }
 
 Eigen::Matrix3d parse_inertia(const std::string& text, const std::string& what) {
-  std::vector<double> v = split_numbers(text, ',', what);
+  std::vector<double> v = parse_numbers(text, what);
   if (v.size() == 3) v.resize(6);
   if (v.size() != 6) {
     throw InvalidArgument(what,
@@ -94,9 +89,11 @@ std::vector<Eigen::Vector3d> parse_vectors(const std::string& text, const std::s
 }
 
 Eigen::Vector2d parse_size(const std::string& text, const std::string& what) {
-  const std::vector<double> v = split_numbers(text, 'x', what);
-  if (v.size() == 2) return {v[0], v[1]};
-  throw InvalidArgument(what, fmt::format("'{}' is not WIDTHxHEIGHT", text));
+  const std::vector<std::string> words = split(text, 'x');
+  if (words.size() != 2 || words[0].empty() || words[1].empty()) {
+    throw InvalidArgument(what, fmt::format("'{}' is not WIDTHxHEIGHT", text), "such as 1920x1080");
+  }
+  return {parse_number(words[0], what), parse_number(words[1], what)};
 }
 
 std::vector<std::string> given_options(const CLI::App& command,
