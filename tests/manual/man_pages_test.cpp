@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <sstream>
 
 #include "manual/program.h"
 #include "scene/fields.h"
@@ -62,6 +63,19 @@ TEST(ManPages, OfTheSceneHaveEachField) {
   }
   for (const char* key : {"shape", "density", "position", "axis", "rotation", "moments"}) {
     EXPECT_THAT(page, HasSubstr(std::string("\\fB") + key + "\\fR = "));
+  }
+}
+
+TEST(ManPages, HaveShortLinesOfText) {
+  for (const Command& command : all_commands()) {
+    std::istringstream lines(written("twrench-" + command.name + ".1"));
+    bool filled = true;
+    for (std::string line; std::getline(lines, line);) {
+      if (line == ".nf") filled = false;
+      if (line == ".fi") filled = true;
+      if (!filled || line.starts_with('.') || line.find(' ') == std::string::npos) continue;
+      EXPECT_LE(line.size(), 78U) << command.name << ": " << line;
+    }
   }
 }
 

@@ -162,6 +162,11 @@ TEST(Shots, HaveMotionsAsLongAsAnyOfThemNeeds) {
   shorter.replace(shorter.find("duration = 50"), 13, "duration = 5 ");
   EXPECT_DOUBLE_EQ(parse_scene(shorter, "story.toml").shots[2].scene.motion.duration, 7 + 2 * 1.04)
       << "but as long as it is seen";
+  const Scene fading = parse_scene(film +
+                                       "[[shot]]\nlength = 2\n[[shot]]\nlength = 1\nfade = 0.5\n"
+                                       "[shot.body]\nmoments = [1, 2, 2.5]\n",
+                                   "story.toml");
+  EXPECT_DOUBLE_EQ(fading.shots[0].scene.motion.duration, 2 * 2.5) << "and while it fades out";
   const Scene frozen = parse_scene(film + "[[shot]]\nlength = 1\nspeed = 0", "story.toml");
   EXPECT_GT(frozen.shots[0].scene.motion.duration, 0);
 }

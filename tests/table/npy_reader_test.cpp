@@ -103,6 +103,10 @@ TEST(NpyReader, RefusesHeadersThatCannotBe) {
               HasSubstr("columns"));
   EXPECT_THAT(file_error_of(npy(with("[('t', [], (99999, 99999))]", "(1,)"), 24)),
               HasSubstr("columns"));
+  EXPECT_THAT(file_error_of(npy(with("[('t', '|i1', (100001,))]", "(1,)"), 24)),
+              HasSubstr("columns"));
+  EXPECT_THAT(file_error_of(npy(with("[('a', '|V9000000'), ('b', '|V9000000')]", "(1,)"), 24)),
+              HasSubstr("columns"));
   EXPECT_THAT(file_error_of(npy(with("'|V20000000'", "(1, 1)"), 24)), HasSubstr("header of this"));
   std::string version = npy(with("'<f8'", "(1, 1)"), 8);
   version[6] = 4;
