@@ -127,5 +127,15 @@ TEST(MotionCourse, HasTheFlipsOfTheShotsAtTheirSpeeds) {
   EXPECT_EQ(course.speeds[1900], 0);
 }
 
+TEST(MotionCourse, OfMotionsSideBySideIsOfTheFirstThatTurnsOver) {
+  scene::Scene film = scene::parse_scene(scene_of(1, 1), "test.toml");
+  const MotionCourse flipping = motion_course(film);
+  const Eigen::Vector3d omega = film.motion.omega;
+  film.overlay.compare_omega = {{1, 0, 0}, omega, {0, 0, 1}};
+  EXPECT_EQ(motion_course(film).flips, flipping.flips);
+  film.overlay.compare_omega = {{1, 0, 0}, {0, 0, 1}};
+  EXPECT_TRUE(motion_course(film).flips.empty());
+}
+
 }  // namespace
 }  // namespace twrench::sound
