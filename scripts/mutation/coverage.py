@@ -66,7 +66,7 @@ class Module:
             self.known.update(zip(new, self._find(new)))
 
     def _find(self, addresses: list[int]) -> Iterator[frozenset[Definition]]:
-        # The recorded addresses are those to which the blocks' calls return.
+        # The recorded addresses are those to which the functions' calls return.
         output = subprocess.run(["addr2line", "--addresses", "--inlines", f"--exe={self.path}"],
                                 input="\n".join(f"{a - 1:#x}" for a in addresses), text=True,
                                 capture_output=True, check=True).stdout

@@ -1,8 +1,8 @@
-/* Records which code runs. It is linked into each program and library of the build, which are compiled with
-   -fsanitize-coverage=trace-pc: each basic block calls the function below.
+/* Records which functions run. It is linked into each program and library of the build, which are compiled with
+   -finstrument-functions: each function, also an inlined one, calls those below where it begins and ends.
 
    TWRENCH_TRACE is a folder with a file of zeros for each of them, as long as the program itself. The byte at the
-   address of a block that has run is 1. The file is mapped, so that nothing is lost when a test kills the program. */
+   address of a call that was made is 1. The file is mapped, so that nothing is lost when a test kills the program. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -42,10 +42,19 @@ static void start(void) {
   close(file);
 }
 
-HIDDEN void __sanitizer_cov_trace_pc(void);
+HIDDEN void __cyg_profile_func_enter(void* function, void* caller);
+HIDDEN void __cyg_profile_func_exit(void* function, void* caller);
 
-void __sanitizer_cov_trace_pc(void) {
+/* The caller's address, not the function's, which may be in another library that has the same inline function. */
+void __cyg_profile_func_enter(void* function, void* caller) {
+  (void)function;
+  (void)caller;
   if (!is_started) start();
   const size_t at = (size_t)((const char*)__builtin_return_address(0) - &__ehdr_start);
   if (at < size) map[at] = 1;
+}
+
+void __cyg_profile_func_exit(void* function, void* caller) {
+  (void)function;
+  (void)caller;
 }

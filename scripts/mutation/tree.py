@@ -19,7 +19,8 @@ INCLUDE = re.compile(r'^#include (?:"|<twrench/)((?:\w+/)+)\w+\.h[">]', re.MULTI
 
 # Options of the compiler for trace.c and for finding the functions. A column would change the objects of a
 # change that does not change the code. addr2line 2.40 gives wrong files for inlined functions in DWARF 5.
-RECORDING = "-fsanitize-coverage=trace-pc -g1 -gdwarf-4 -gno-column-info"
+RECORDING = ("-finstrument-functions -finstrument-functions-exclude-file-list=/usr/include,/usr/lib/gcc "
+             "-g1 -gdwarf-4 -gno-column-info")
 
 
 class BuildError(Exception):
