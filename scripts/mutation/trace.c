@@ -45,7 +45,7 @@ static void start(void) {
 HIDDEN void __cyg_profile_func_enter(void* function, void* caller);
 HIDDEN void __cyg_profile_func_exit(void* function, void* caller);
 
-/* The caller's address, not the function's, which may be in another library that has the same inline function. */
+/* The address of the call, not `function`, which may be the same inline function of another library. */
 void __cyg_profile_func_enter(void* function, void* caller) {
   (void)function;
   (void)caller;

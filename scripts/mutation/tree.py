@@ -17,8 +17,9 @@ from mutation.programs import Job, Process, Program
 SOURCES = re.compile(r"src/.*\.(cpp|h)|include/twrench/.*\.h")
 INCLUDE = re.compile(r'^#include (?:"|<twrench/)((?:\w+/)+)\w+\.h[">]', re.MULTILINE)
 
-# Options of the compiler for trace.c and for finding the functions. A column would change the objects of a
-# change that does not change the code. addr2line 2.40 gives wrong files for inlined functions in DWARF 5.
+# Options of the compiler for trace.c and for finding the functions. The many small functions of other libraries
+# would cost time and are never changed. A column would change the objects of a change that does not change the
+# code. addr2line 2.40 gives wrong files for inlined functions in DWARF 5.
 RECORDING = ("-finstrument-functions -finstrument-functions-exclude-file-list=/usr/include,/usr/lib/gcc "
              "-g1 -gdwarf-4 -gno-column-info")
 
