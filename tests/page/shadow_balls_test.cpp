@@ -61,8 +61,8 @@ void merge_two(std::vector<Ball>& balls) {
 TEST(ReducedShadowBalls, AreThoseOfASearchThroughAllPairs) {
   std::vector<body::Part> parts;
   std::mt19937 dice(1);
-  const auto roll = [&] { return dice() / 4294967296.0; };
-  for (int i = 0; i < 150; ++i) parts.push_back(ball_at(10 * roll(), 10 * roll()));
+  std::uniform_real_distribution<double> place(0, 10);
+  for (int i = 0; i < 150; ++i) parts.push_back(ball_at(place(dice), place(dice)));
   std::vector<Ball> expected = picture::shadow_balls(parts);
   while (expected.size() > 64) merge_two(expected);
   const std::vector<Ball> balls = reduced_shadow_balls(parts);
