@@ -134,7 +134,6 @@ IntersectionEdge edge_of(const Mesh& mesh, Number triangle, Number other, const 
       vertex.normal += share * mesh.vertices[corner].normal;
       if (!mesh.colors.empty()) edge.colors.at(end) += share * mesh.colors[corner];
     }
-    vertex.normal = glm::normalize(vertex.normal);
   }
   return edge;
 }

@@ -17,7 +17,8 @@ struct IntersectionEdge {
   /// The triangle that ends here, and the other part's triangle, behind which it continues, as
   /// numbers of triangles in the mesh.
   std::uint32_t triangle, other;
-  /// The ends. Seen from outside, the visible side of the triangle is on the left.
+  /// The ends. Seen from outside, the visible side of the triangle is on the left. Normals are
+  /// interpolated between those of its corners, so they are not longer than 1.
   std::array<Vertex, 2> ends;
   /// Linear colours at the ends; only for a mesh with colours.
   std::array<glm::vec3, 2> colors;

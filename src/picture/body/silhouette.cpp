@@ -36,6 +36,15 @@ Shift shift_by(const glm::vec3& way) {
   return length < 1 ? Shift{way / std::max(length, 1e-6F), length} : Shift{way, 1};
 }
 
+/// The normal that body.frag shows at a point of a facet: there it is as much shorter than 1 as the
+/// facet is too deep, and the visible surface is where its length is 1, further towards the eye.
+glm::vec3 visible_normal(const Vertex& vertex, const glm::vec3& eye) {
+  const auto& [position, normal] = vertex;
+  const glm::vec3 sight = glm::normalize(eye - position);
+  const float along = glm::dot(normal, sight), shorter = 1 - glm::dot(normal, normal);
+  return normal + (std::sqrt(std::max(along * along + shorter, 0.0F)) - along) * sight;
+}
+
 }  // namespace
 
 Silhouette::Silhouette(const Mesh& mesh, PartIntersections intersections)
@@ -142,7 +151,7 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
       add_crease_quad(edge.half_edge, eye);
       add_crease_quad(edge.other, eye);
     }
-    for (const IntersectionEdge& edge : intersections_[i]) add_intersection_quad(edge, eye);
+    for (const IntersectionEdge& edge : intersections_[i]) add_intersection_quads(edge, eye);
     part_ends_.push_back(indices_.size());
     begin = part;
   }
@@ -275,25 +284,37 @@ void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) 
   add_quad({corner(from, 0), corner(from, 1), corner(to, 0), corner(to, 1)});
 }
 
-/// Adds a quad that draws the pixel around the edge again, because near a silhouette the shrunk
-/// parts intersect up to half a pixel beside it. The part that is drawn first covers the pixel, and
-/// the other part fades out over it. The edge is hidden if either triangle faces away.
-void Silhouette::add_intersection_quad(const IntersectionEdge& edge, const glm::vec3& eye) {
+/// Adds quads that draw the pixel around the edge again, because near a silhouette the shrunk parts
+/// intersect about half a pixel beside it. The part that is drawn first covers the pixel, and the
+/// other part fades out over it. Both also cover a little more of their own side, because parts
+/// that cross at a small angle intersect farther away. The edge is hidden if either triangle faces
+/// away.
+void Silhouette::add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye) {
   if (faces_eye_[edge.triangle] == 0 || faces_eye_[edge.other] == 0) return;
   const auto& [from, to] = edge.ends;
   const glm::vec3 outward = glm::cross(from.position - eye, to.position - from.position);
   const float length = glm::length(outward);
   if (length == 0) return;
-  const bool is_first = edge.triangle < edge.other;
-  const auto corner = [&](std::size_t end, float side) {
-    const auto& [position, normal] = edge.ends.at(end);
-    // The shader moves vertices with an offset of 1 to a round outline, which this edge is not.
-    const Shift shift{2.0F * outward / length, 0.5F * side};
+  const auto corner = [&](std::size_t end, float pixels, float transparency) {
+    const glm::vec3& position = edge.ends.at(end).position;
+    const glm::vec3 normal = visible_normal(edge.ends.at(end), eye);
+    const Shift shift{2.0F * outward / length, pixels};
     constexpr float lift = 3;  // over both surfaces, which rise towards the eye
-    return EdgeQuadVertex{
-        position, normal, shift, is_first ? 0.0F : 0.5F + 0.5F * side, lift, edge.colors.at(end)};
+    return EdgeQuadVertex{position, normal, shift, transparency, lift, edge.colors.at(end)};
   };
-  add_quad({corner(0, -1), corner(0, 1), corner(1, -1), corner(1, 1)});
+  const auto add_band = [&](float begin, float end, float transparency) {
+    add_quad({corner(0, begin, 0), corner(0, end, transparency), corner(1, begin, 0),
+              corner(1, end, transparency)});
+  };
+  // Less than 1, because the shader moves vertices with an offset of 1 to a round outline, which
+  // this edge is not.
+  constexpr float half = 0.5F, inside = -0.65F;
+  if (edge.triangle < edge.other) {
+    add_band(inside, half, 0);
+  } else {
+    add_band(inside, -half, 0);
+    add_band(-half, half, 1);
+  }
 }
 
 EdgeQuadVertex Silhouette::quad_vertex(std::uint32_t vertex) const {

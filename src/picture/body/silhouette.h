@@ -39,8 +39,8 @@ struct EdgeQuadVertex {
 /// along its silhouette, and edge quads one pixel wide, whose coverage falls from 1 to 0, are drawn
 /// over it (Sander, Hoppe, Snyder and Gortler, "Discontinuity edge overdraw", I3D 2001). A crease
 /// between two triangles that both face the eye gets two quads of half a pixel. In each, one
-/// triangle fades out over the other. An edge along which a part enters another one gets a quad of
-/// one pixel on each of the two parts.
+/// triangle fades out over the other. An edge along which a part enters another one gets quads of
+/// about one pixel on each of the two parts.
 class Silhouette {
  public:
   /// The intersections are those of the mesh's parts, see find_intersections().
@@ -50,7 +50,8 @@ class Silhouette {
   void find(const glm::vec3& eye, float scale);
 
   /// Return the edge quads as vertices and indices: two triangles, six indices, per edge of the
-  /// silhouette and per intersection edge, and twice that per crease.
+  /// silhouette and per intersection edge of an earlier part, and twice that per crease and per
+  /// intersection edge of a later part.
   const std::vector<EdgeQuadVertex>& edge_quads() const { return edge_quads_; }
   const std::vector<std::uint32_t>& indices() const { return indices_; }
 
@@ -98,7 +99,7 @@ class Silhouette {
   glm::vec3 normal_inside(std::uint32_t vertex, const glm::vec3& eye) const;
   void add_edge_quad(const Edge& edge, const glm::vec3& eye);
   void add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye);
-  void add_intersection_quad(const IntersectionEdge& edge, const glm::vec3& eye);
+  void add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye);
   EdgeQuadVertex quad_vertex(std::uint32_t vertex) const;
   void add_quad(const std::array<EdgeQuadVertex, 4>& corners);
   void shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale);
