@@ -151,7 +151,7 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
       add_crease_quad(edge.half_edge, eye);
       add_crease_quad(edge.other, eye);
     }
-    for (const IntersectionEdge& edge : intersections_[i]) add_intersection_quads(edge, eye);
+    for (const IntersectionEdge& edge : intersections_[i]) add_intersection_quads(edge, eye, scale);
     part_ends_.push_back(indices_.size());
     begin = part;
   }
@@ -260,6 +260,7 @@ void Silhouette::add_edge_quad(const Edge& edge, const glm::vec3& eye) {
     EdgeQuadVertex vertex = quad_vertex(corners_[end]);
     vertex.shift = {shifts_[place(end)].direction, side};
     vertex.transparency = std::max(side, 0.0F);
+    vertex.lift = 0.25F;  // over another part where that begins behind the outline
     vertex.normal = normal_inside(corners_[end], eye);
     return vertex;
   };
@@ -286,29 +287,40 @@ void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) 
 
 /// Adds quads that draw the pixel around the edge again, because near a silhouette the shrunk parts
 /// intersect about half a pixel beside it. The part that is drawn first covers the pixel, and the
-/// other part fades out over it. Both also cover a little more of their own side, because parts
+/// other part fades out over it. Both also cover a little more of their own triangle, because parts
 /// that cross at a small angle intersect farther away. The edge is hidden if either triangle faces
 /// away.
-void Silhouette::add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye) {
+void Silhouette::add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye,
+                                        float scale) {
   if (faces_eye_[edge.triangle] == 0 || faces_eye_[edge.other] == 0) return;
   const auto& [from, to] = edge.ends;
-  const glm::vec3 outward = glm::cross(from.position - eye, to.position - from.position);
-  const float length = glm::length(outward);
+  const glm::vec3 across = glm::cross(from.position - eye, to.position - from.position);
+  const float length = glm::length(across);
   if (length == 0) return;
+  const glm::vec3 outward = across / length;
   const auto corner = [&](std::size_t end, float pixels, float transparency) {
-    const glm::vec3& position = edge.ends.at(end).position;
-    const glm::vec3 normal = visible_normal(edge.ends.at(end), eye);
-    const Shift shift{2.0F * outward / length, pixels};
+    const Shift shift{2.0F * outward, pixels};
     constexpr float lift = 3;  // over both surfaces, which rise towards the eye
-    return EdgeQuadVertex{position, normal, shift, transparency, lift, edge.colors.at(end)};
+    return EdgeQuadVertex{edge.ends.at(end).position,
+                          visible_normal(edge.ends.at(end), eye),
+                          shift,
+                          transparency,
+                          lift,
+                          edge.colors.at(end)};
   };
   const auto add_band = [&](float begin, float end, float transparency) {
     add_quad({corner(0, begin, 0), corner(0, end, transparency), corner(1, begin, 0),
               corner(1, end, transparency)});
   };
+  float width = 0;  // of the triangle, px
+  for (std::size_t i = 3 * edge.triangle; i < 3 * edge.triangle + 3; ++i) {
+    const glm::vec3 inwards = from.position - vertices_[corners_[i]].position;
+    width = std::max(width, scale * glm::dot(outward, inwards));
+  }
   // Less than 1, because the shader moves vertices with an offset of 1 to a round outline, which
   // this edge is not.
-  constexpr float half = 0.5F, inside = -0.65F;
+  constexpr float half = 0.5F, most = 0.65F;
+  const float inside = -std::clamp(width, half, most);
   if (edge.triangle < edge.other) {
     add_band(inside, half, 0);
   } else {

@@ -99,7 +99,7 @@ class Silhouette {
   glm::vec3 normal_inside(std::uint32_t vertex, const glm::vec3& eye) const;
   void add_edge_quad(const Edge& edge, const glm::vec3& eye);
   void add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye);
-  void add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye);
+  void add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye, float scale);
   EdgeQuadVertex quad_vertex(std::uint32_t vertex) const;
   void add_quad(const std::array<EdgeQuadVertex, 4>& corners);
   void shrink(const Part& begin, const Part& part, const glm::vec3& eye, float scale);

@@ -178,7 +178,7 @@ TEST(Silhouette, HasTwoQuadsForEachCreaseThatIsSeen) {
   int moved = 0;
   for (std::size_t i = 0; i < outline.edge_quads().size(); i += 2) {
     const EdgeQuadVertex &inner = outline.edge_quads()[i], &outer = outline.edge_quads()[i + 1];
-    if (inner.lift == 0) continue;
+    if (inner.lift != 1) continue;
     EXPECT_EQ(inner.transparency, 0.5F);
     EXPECT_EQ(outer.transparency, 1.0F);
     EXPECT_NEAR(glm::distance(way(inner.shift), way(outer.shift)), 1, 1e-5F);
@@ -191,8 +191,18 @@ TEST(Silhouette, HasTwoQuadsForEachCreaseThatIsSeen) {
   EXPECT_GT(moved, 0);
 }
 
+// Another part may begin right behind the outline.
+TEST(Silhouette, IsALittleNearerToTheEyeThanTheBody) {
+  Silhouette outline = silhouette_of(mesh_of_triangles(ball_of_triangles(1, 20)));
+  outline.find({3, 40, 5}, 30);
+  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+    EXPECT_GT(corner.lift, 0.1F);
+    EXPECT_LT(corner.lift, 0.5F) << "it would cover parts in front of it";
+  }
+}
+
 // A column through a cube. From above, the eye sees two of the four edges where it enters.
-TEST(Silhouette, HasAQuadForEachPartAlongTheirIntersection) {
+TEST(Silhouette, HasQuadsOnBothPartsAlongTheirIntersection) {
   const std::vector<body::Part> parts{part_of(box_of_triangles({2, 2, 2})),
                                       part_of(box_of_triangles({1, 1, 4}))};
   const Mesh mesh = body_mesh(parts, 0);
@@ -203,15 +213,54 @@ TEST(Silhouette, HasAQuadForEachPartAlongTheirIntersection) {
     for (const EdgeQuadVertex& corner : outline.edge_quads()) {
       if (corner.lift <= 1) continue;
       EXPECT_NEAR(std::abs(corner.position.z), 1, 1e-4F);
-      EXPECT_NEAR(glm::length(corner.shift.offset * corner.shift.direction), 1, 1e-5F);
-      ++corners.at(corner.normal.z == 0 ? 1 : 0);
+      const float pixels = 0.5F * corner.shift.offset * glm::length(corner.shift.direction);
+      const bool is_on_column = corner.normal.z == 0;
+      EXPECT_EQ(corner.transparency, is_on_column && pixels > 0 ? 1 : 0);
+      EXPECT_NEAR(std::abs(pixels), pixels < -0.55F ? 0.65F : 0.5F, 1e-5F);
+      ++corners.at(is_on_column ? 1 : 0);
     }
     return corners;
   };
   const auto [on_cube, on_column] = seen_from({20, 15, 20});
   EXPECT_GE(on_cube, 2 * 4);
-  EXPECT_EQ(on_cube, on_column);
+  EXPECT_EQ(on_column, 2 * on_cube) << "it fades out over the cube";
   EXPECT_EQ(seen_from({20, 15, 0}), (std::array{0, 0})) << "the cube's ends face away";
+}
+
+// A ball in a box, with so few facets that they lie far inside the ball. The quads show the normals
+// of the points of the ball that the eye sees through its facets, as far as the ball is round.
+TEST(Silhouette, ShowsTheRoundSurfaceWhereItEntersAnotherPart) {
+  const std::vector<body::Part> parts{part_of(ball_of_triangles(1, 8)),
+                                      part_of(box_of_triangles({4, 4, 0.6}))};
+  const Mesh mesh = body_mesh(parts, 0);
+  Silhouette outline(mesh, find_intersections(mesh, part_models(parts, mesh, 3)));
+  const glm::vec3 eye(3, 5, 20);
+  outline.find(eye, 30);
+  float deepest = 0;
+  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+    if (corner.lift <= 1 || corner.normal == glm::vec3(0, 0, 1)) continue;
+    const glm::vec3 towards_eye = corner.normal - corner.position;
+    deepest = std::max(deepest, glm::length(towards_eye));
+    EXPECT_NEAR(glm::length(corner.normal), 1, 1e-5F);
+    EXPECT_LT(glm::length(glm::cross(towards_eye, glm::normalize(eye - corner.position))), 0.006F);
+  }
+  EXPECT_GT(deepest, 0.03F);
+}
+
+// The column's sides end less than half a pixel above the cube.
+TEST(Silhouette, HasQuadsNoWiderThanTheTrianglesAtAnIntersection) {
+  const std::vector<body::Part> parts{part_of(box_of_triangles({2, 2, 2})),
+                                      part_of(box_of_triangles({1, 1, 2.03}))};
+  const Mesh mesh = body_mesh(parts, 0);
+  Silhouette outline(mesh, find_intersections(mesh, part_models(parts, mesh, 3)));
+  outline.find({20, 15, 20}, 30);
+  int corners = 0;
+  for (const EdgeQuadVertex& corner : outline.edge_quads()) {
+    if (corner.lift <= 1 || corner.normal.z != 0) continue;
+    EXPECT_NEAR(std::abs(corner.shift.offset), 0.5F, 1e-5F);
+    ++corners;
+  }
+  EXPECT_GT(corners, 0);
 }
 
 // On a circle of r pixels, the cosine half a pixel inside is sqrt(1 / r).
