@@ -66,7 +66,7 @@ Silhouette::Silhouette(const Mesh& mesh, PartIntersections intersections)
     begin = part;
   }
   on_it_.resize(vertices_.size());
-  bends_.resize(vertices_.size());
+  normals_inside_.resize(vertices_.size());
   for (const Vertex& vertex : vertices_) shifts_.push_back({vertex.normal, 0});
 }
 
@@ -96,6 +96,7 @@ void Silhouette::add_edges(const Part& begin, const Part& part) {
       opposite_half_edges(places, part.vertex_end - begin.vertex_end);
   const auto first = static_cast<std::uint32_t>(3 * begin.triangle_end);
   for (std::uint32_t i = 0; i < opposite.size(); ++i) {
+    opposite_.push_back(opposite[i] == no_half_edge ? no_half_edge : first + opposite[i]);
     if (opposite[i] == no_half_edge || opposite[i] > i) continue;
     const std::uint32_t half_edge = first + i, other = first + opposite[i];
     const bool hollow = is_hollow(half_edge, other);
@@ -134,7 +135,7 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
   indices_.clear();
   part_ends_.clear();
   on_it_.assign(on_it_.size(), 0);
-  bends_.assign(bends_.size(), {});
+  normals_inside_.assign(normals_inside_.size(), glm::vec3(0));
   Part begin{};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
@@ -145,8 +146,10 @@ void Silhouette::find(const glm::vec3& eye, float scale) {
       for (std::size_t k = begin.vertex_end; k < part.vertex_end; ++k) shifts_[k].offset = 0;
     }
     shrink(begin, part, eye, scale);
-    if (part.has_creases) find_bends(eye, scale);
-    for (const Edge& edge : outline_) add_edge_quad(edge, eye);
+    if (part.has_creases) {
+      for (const Edge& edge : outline_) walk_inside(edge, eye, scale);
+    }
+    for (const Edge& edge : outline_) add_edge_quad(edge);
     for (const Edge& edge : creases_) {
       add_crease_quad(edge.half_edge, eye);
       add_crease_quad(edge.other, eye);
@@ -215,44 +218,53 @@ void Silhouette::point_outward(const Part& begin, const Part& part, const glm::v
   }
 }
 
-/// Finds the bends of a mesh from the seen triangles at its outline.
-void Silhouette::find_bends(const glm::vec3& eye, float scale) {
-  for (const Edge& edge : outline_) {
-    const std::uint32_t seen = seen_half_edge(edge);
-    const std::uint32_t from = corners_[seen], to = corners_[next_half_edge(seen)],
-                        apex = corners_[next_half_edge(next_half_edge(seen))];
-    const glm::vec3 start = vertices_[from].position, sight = glm::normalize(eye - start);
-    const glm::vec3 across = glm::cross(sight, vertices_[to].position - start);
-    const float length = glm::length(across);
-    const float inside = glm::dot(across, vertices_[apex].position - start) * scale;
-    constexpr float least = 1e-3F;  // px
-    if (!(inside > least * length)) continue;
-    const auto squared = [&](std::uint32_t vertex) {
-      const float cosine = glm::dot(vertices_[vertex].normal, sight);
-      return cosine * cosine;
-    };
-    const float rise = squared(apex) - 0.5F * (squared(from) + squared(to));
-    for (const std::uint32_t end : {from, to}) {
-      bends_[end].sum += rise * length / inside;
-      bends_[end].count += 1;
-    }
+/// Walks over the mesh from the middle of an edge of the outline, a quarter of a pixel inwards, and
+/// adds the normal found there to those of the edge's ends.
+void Silhouette::walk_inside(const Edge& edge, const glm::vec3& eye, float scale) {
+  std::uint32_t entry = seen_half_edge(edge);
+  const std::uint32_t from = corners_[entry], to = corners_[next_half_edge(entry)];
+  Vertex here{0.5F * (vertices_[from].position + vertices_[to].position),
+              0.5F * (vertices_[from].normal + vertices_[to].normal)};
+  const glm::vec3 start = here.position, sight = glm::normalize(eye - start);
+  const glm::vec3 across = glm::cross(sight, vertices_[to].position - vertices_[from].position);
+  const float length = glm::length(across);
+  if (length == 0) return;  // the edge is seen end-on
+  const glm::vec3 inward = across / length, along = glm::cross(inward, sight);
+  constexpr float goal = 0.25F;       // px: the middle of what an edge quad covers of the body
+  constexpr int most_triangles = 32;  // more would be far narrower than a pixel
+  for (int i = 0; i < most_triangles; ++i) {
+    // The path leaves the triangle on one side of its apex.
+    const std::uint32_t third = next_half_edge(next_half_edge(entry));
+    const Vertex& apex = vertices_[corners_[third]];
+    const float apex_at = glm::dot(along, apex.position - start);
+    const std::uint32_t exit = apex_at > 0 ? third : next_half_edge(entry);
+    const Vertex& end = vertices_[corners_[apex_at > 0 ? entry : exit]];
+    const float end_at = glm::dot(along, end.position - start);
+    const float share = apex_at == end_at ? 0 : apex_at / (apex_at - end_at);
+    const Vertex next{glm::mix(apex.position, end.position, share),
+                      glm::mix(apex.normal, end.normal, share)};
+    const float before = scale * glm::dot(inward, here.position - start);
+    const float after = scale * glm::dot(inward, next.position - start);
+    if (!(after > before)) break;
+    const float part = std::min((goal - before) / (after - before), 1.0F);
+    here = {glm::mix(here.position, next.position, part), glm::mix(here.normal, next.normal, part)};
+    entry = opposite_[exit];
+    if (part < 1 || entry == no_half_edge || !is_seen(entry)) break;
   }
+  const glm::vec3 normal = visible_normal(here, eye);
+  normals_inside_[from] += normal;
+  normals_inside_[to] += normal;
 }
 
-/// The normal that edge quads show at a vertex: that of the point half a pixel inside. A fillet
-/// narrower than a pixel would otherwise be a line of dots.
-glm::vec3 Silhouette::normal_inside(std::uint32_t vertex, const glm::vec3& eye) const {
-  const auto& [position, normal] = vertices_[vertex];
-  const auto& [sum, count] = bends_[vertex];
-  if (count == 0) return normal;
-  const glm::vec3 sight = glm::normalize(eye - position);
-  const float cosine = glm::dot(normal, sight);
-  constexpr float most = 0.09F;  // more would rely on triangles much narrower than a pixel
-  const float squared = std::clamp(cosine * cosine + 0.5F * sum / count, 0.0F, most);
-  return glm::normalize(normal + std::max(std::sqrt(squared) - cosine, 0.0F) * sight);
+/// The normal that edge quads show at a vertex: that of the body a little inside the outline. A
+/// fillet narrower than a pixel would otherwise be a line of dots.
+glm::vec3 Silhouette::normal_inside(std::uint32_t vertex) const {
+  const glm::vec3& sum = normals_inside_[vertex];
+  const float length = glm::length(sum);
+  return length > 0 ? sum / length : vertices_[vertex].normal;
 }
 
-void Silhouette::add_edge_quad(const Edge& edge, const glm::vec3& eye) {
+void Silhouette::add_edge_quad(const Edge& edge) {
   const bool is_first = is_seen(edge.half_edge);
   const std::uint32_t from = is_first ? edge.half_edge : next_half_edge(edge.other);
   const std::uint32_t to = is_first ? next_half_edge(edge.half_edge) : edge.other;
@@ -260,8 +272,8 @@ void Silhouette::add_edge_quad(const Edge& edge, const glm::vec3& eye) {
     EdgeQuadVertex vertex = quad_vertex(corners_[end]);
     vertex.shift = {shifts_[place(end)].direction, side};
     vertex.transparency = std::max(side, 0.0F);
-    vertex.lift = 0.25F;  // over another part where that begins behind the outline
-    vertex.normal = normal_inside(corners_[end], eye);
+    vertex.lift = 0.1F;  // over another part where that begins behind the outline
+    vertex.normal = normal_inside(corners_[end]);
     return vertex;
   };
   add_quad({corner(from, -1), corner(from, 1), corner(to, -1), corner(to, 1)});

@@ -76,11 +76,6 @@ class Silhouette {
     std::uint32_t half_edge, other;
     bool is_hollow, is_crease;
   };
-  /// How fast the squared cosine between normal and line of sight grows from the outline inwards,
-  /// per pixel, as it does evenly on a circle: the mean over the triangles at a vertex.
-  struct Bend {
-    float sum = 0, count = 0;
-  };
   /// The ends of a part's triangles, edges and vertices.
   struct Part {
     std::size_t triangle_end, edge_end, vertex_end;
@@ -95,9 +90,9 @@ class Silhouette {
   void face(const glm::vec3& eye);
   void find_outline(const Part& begin, const Part& part);
   void point_outward(const Part& begin, const Part& part, const glm::vec3& eye);
-  void find_bends(const glm::vec3& eye, float scale);
-  glm::vec3 normal_inside(std::uint32_t vertex, const glm::vec3& eye) const;
-  void add_edge_quad(const Edge& edge, const glm::vec3& eye);
+  void walk_inside(const Edge& edge, const glm::vec3& eye, float scale);
+  glm::vec3 normal_inside(std::uint32_t vertex) const;
+  void add_edge_quad(const Edge& edge);
   void add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye);
   void add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye, float scale);
   EdgeQuadVertex quad_vertex(std::uint32_t vertex) const;
@@ -114,14 +109,15 @@ class Silhouette {
   std::vector<glm::vec3> colors_;
   std::vector<std::uint32_t> corners_;   ///< The mesh's indices.
   std::vector<std::uint32_t> first_at_;  ///< For each vertex, its part's first in the same place.
+  std::vector<std::uint32_t> opposite_;  ///< For each half-edge of the mesh.
   Planes planes_;
   std::vector<Edge> edges_;
   std::vector<Part> parts_;
   PartIntersections intersections_;
   std::vector<char> faces_eye_;
-  std::vector<char> on_it_;              ///< For each vertex.
-  std::vector<Bend> bends_;              ///< For each vertex; those of a mesh are used.
-  std::vector<Edge> outline_, creases_;  ///< Edges of the part in progress.
+  std::vector<char> on_it_;                ///< For each vertex.
+  std::vector<glm::vec3> normals_inside_;  ///< For each vertex, of any length; for a mesh.
+  std::vector<Edge> outline_, creases_;    ///< Edges of the part in progress.
   std::vector<EdgeQuadVertex> edge_quads_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::size_t> part_ends_;
