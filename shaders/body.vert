@@ -100,12 +100,12 @@ void main() {
   } else if (offset * picture.z != 0.0) {
     stage_normal = normalize(n + max(facing - cosine, 0.0) * to_eye);
   }
-  // At the outline of the side, a rim that appears narrower than a pixel shows the side; otherwise
+  // At the outline of the side, a rim that appears as narrow as a pixel shows the side; otherwise
   // it would be a line of dots.
   if (on_rim && picture.z > 0.0 && end_cosine < 0.0 && side_cosine > 0.0) {
     float seen_width = radii.z * (1.0 + end_cosine * inversesqrt(end_cosine * end_cosine +
                                                                  side_cosine * side_cosine));
-    stage_normal = normalize(mix(radial, stage_normal, smoothstep(0.75, 1.25, seen_width)));
+    stage_normal = normalize(mix(radial, stage_normal, smoothstep(1.0, 2.0, seen_width)));
   }
   pass_on_color();
   pass_on_neighbours();
