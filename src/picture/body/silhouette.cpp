@@ -299,9 +299,9 @@ void Silhouette::add_crease_quad(std::uint32_t half_edge, const glm::vec3& eye) 
 
 /// Adds quads that draw the pixel around the edge again, because near a silhouette the shrunk parts
 /// intersect about half a pixel beside it. The part that is drawn first covers the pixel, and the
-/// other part fades out over it. Both also cover a little more of their own triangle, because parts
-/// that cross at a small angle intersect farther away. The edge is hidden if either triangle faces
-/// away.
+/// other part fades out over it. Each part also covers a narrow strip of its triangle beside the
+/// pixel, because parts that cross at a small angle intersect farther away. The edge is hidden if
+/// either triangle faces away.
 void Silhouette::add_intersection_quads(const IntersectionEdge& edge, const glm::vec3& eye,
                                         float scale) {
   if (faces_eye_[edge.triangle] == 0 || faces_eye_[edge.other] == 0) return;

@@ -282,7 +282,7 @@ TEST(Silhouette, OfAMeshShowsWhatIsAQuarterOfAPixelInside) {
   }
 }
 
-/// A bar along y with a square section, of which one edge is rounded.
+/// A square bar along y with one rounded edge.
 body::TriangleMesh bar_with_round_edge(double radius) {
   std::vector<Vector3d> section{{-1, 0, -1}, {1, 0, -1}};
   constexpr int strips = 6;
