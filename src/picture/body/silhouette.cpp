@@ -36,8 +36,9 @@ Shift shift_by(const glm::vec3& way) {
   return length < 1 ? Shift{way / std::max(length, 1e-6F), length} : Shift{way, 1};
 }
 
-/// The normal that body.frag shows at a point of a facet: there it is as much shorter than 1 as the
-/// facet is too deep, and the visible surface is where its length is 1, further towards the eye.
+/// Returns the normal that body.frag shows at a point of a facet. The interpolated normal is
+/// shorter than 1, because the facet lies below the curved surface. The eye sees that surface above
+/// the point, where the normal is as long as 1.
 glm::vec3 visible_normal(const Vertex& vertex, const glm::vec3& eye) {
   const auto& [position, normal] = vertex;
   const glm::vec3 sight = glm::normalize(eye - position);
@@ -310,14 +311,11 @@ void Silhouette::add_intersection_quads(const IntersectionEdge& edge, const glm:
   const float length = glm::length(across);
   if (length == 0) return;
   const glm::vec3 outward = across / length;
+  const std::array normals{visible_normal(from, eye), visible_normal(to, eye)};
   const auto corner = [&](std::size_t end, float pixels, float transparency) {
     const Shift shift{2.0F * outward, pixels};
     constexpr float lift = 3;  // over both surfaces, which rise towards the eye
-    return EdgeQuadVertex{edge.ends.at(end).position,
-                          visible_normal(edge.ends.at(end), eye),
-                          shift,
-                          transparency,
-                          lift,
+    return EdgeQuadVertex{edge.ends.at(end).position, normals.at(end), shift, transparency, lift,
                           edge.colors.at(end)};
   };
   const auto add_band = [&](float begin, float end, float transparency) {

@@ -26,6 +26,12 @@ Silhouette silhouette_of(const Mesh& mesh) {
   return {mesh, PartIntersections(mesh.part_ends.size())};
 }
 
+/// Returns the silhouette of parts that may intersect.
+Silhouette silhouette_of(const std::vector<body::Part>& parts) {
+  const Mesh mesh = body_mesh(parts, 0);
+  return {mesh, find_intersections(mesh, part_models(parts, mesh, 3))};
+}
+
 const glm::vec3 viewpoints[]{{0, 0, 20}, {3, -5, 17}, {-20, 1, 0.5F}, {9, 11, -13}, {0.1F, 30, 0}};
 
 std::vector<std::pair<const char*, Mesh>> meshes() {
@@ -206,8 +212,7 @@ TEST(Silhouette, IsALittleNearerToTheEyeThanTheBody) {
 TEST(Silhouette, HasQuadsOnBothPartsAlongTheirIntersection) {
   const std::vector<body::Part> parts{part_of(box_of_triangles({2, 2, 2})),
                                       part_of(box_of_triangles({1, 1, 4}))};
-  const Mesh mesh = body_mesh(parts, 0);
-  Silhouette outline(mesh, find_intersections(mesh, part_models(parts, mesh, 3)));
+  Silhouette outline = silhouette_of(parts);
   const auto seen_from = [&](const glm::vec3& eye) {
     outline.find(eye, 30);
     std::array<int, 2> corners{};  // of quads on the cube and on the column
@@ -233,8 +238,7 @@ TEST(Silhouette, HasQuadsOnBothPartsAlongTheirIntersection) {
 TEST(Silhouette, ShowsTheRoundSurfaceWhereItEntersAnotherPart) {
   const std::vector<body::Part> parts{part_of(ball_of_triangles(1, 8)),
                                       part_of(box_of_triangles({4, 4, 0.6}))};
-  const Mesh mesh = body_mesh(parts, 0);
-  Silhouette outline(mesh, find_intersections(mesh, part_models(parts, mesh, 3)));
+  Silhouette outline = silhouette_of(parts);
   const glm::vec3 eye(3, 5, 20);
   outline.find(eye, 30);
   float deepest = 0;
@@ -252,8 +256,7 @@ TEST(Silhouette, ShowsTheRoundSurfaceWhereItEntersAnotherPart) {
 TEST(Silhouette, HasQuadsNoWiderThanTheTrianglesAtAnIntersection) {
   const std::vector<body::Part> parts{part_of(box_of_triangles({2, 2, 2})),
                                       part_of(box_of_triangles({1, 1, 2.03}))};
-  const Mesh mesh = body_mesh(parts, 0);
-  Silhouette outline(mesh, find_intersections(mesh, part_models(parts, mesh, 3)));
+  Silhouette outline = silhouette_of(parts);
   outline.find({20, 15, 20}, 30);
   int corners = 0;
   for (const EdgeQuadVertex& corner : outline.edge_quads()) {
