@@ -40,6 +40,12 @@ Inputs inputs_of(const Request& request) {
   return {request.expected, request.actual, actual_is_folder};
 }
 
+/// A wrong name may be that of another file, such as the manifest of the frames.
+void require_ending(const std::string& option, const std::string& file, const std::string& ending) {
+  if (file.empty() || std::filesystem::path(file).extension() == ending) return;
+  throw InvalidArgument(option + " " + file, "its name must end in " + ending);
+}
+
 /// Throws OverwriteError if an output would replace an input.
 void require_free_outputs(const Request& request, const Inputs& inputs) {
   system::require_different_outputs(request.difference, request.page);
@@ -90,6 +96,8 @@ Comparison compare(const Request& request,
                           "--report FILE.html shows the differences of folders");
   }
   require_free_outputs(request, inputs);
+  require_ending("--diff", request.difference, ".png");
+  require_ending("--report", request.page, ".html");
   std::optional<system::Output> page;  // opened before the work, which may take minutes
   if (!request.page.empty()) page.emplace(request.page);
   Comparison comparison = inputs.folders ? compare_folders(inputs, request.criteria, progress)

@@ -140,6 +140,8 @@ TEST_F(CompareFolders, RefuseWhatCannotBeCompared) {
       {"golden actual --report golden/a.png", {2, "is an input"}},
       {"golden actual --report actual/a.png", {2, "is an input"}},
       {"golden actual --report -", {2, "standard output is used for the results"}},
+      {"golden actual --report actual/manifest.json", {2, "must end in .html"}},
+      {"golden/a.png actual/a.png --diff golden/manifest.json", {2, "must end in .png"}},
       {"golden actual --report missing/r.html", {5, "cannot write missing/r.html"}},
       {"golden actual --ignore 15,0,2x1", {2, "the area 15,0,2x1: it is not within actual/a.png"}},
       {"golden actual --ignore 1,2,3", {2, "--ignore: '1,2,3' is not X,Y,WIDTHxHEIGHT"}},
