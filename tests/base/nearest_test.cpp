@@ -24,6 +24,13 @@ TEST(Nearest, TakesCapitalLettersForSmallOnes) {
 
 TEST(Nearest, CountsASwapAsOne) { EXPECT_EQ(nearest("rfk45", methods()), "rkf45"); }
 
+TEST(Nearest, ForgivesOneSlipInThreeLettersOfTheLongerWord) {
+  const std::vector<std::string> candidate{"trails"};
+  EXPECT_EQ(nearest("trial", candidate), "trails");
+  EXPECT_EQ(nearest("trlia", candidate), std::nullopt);
+  EXPECT_EQ(nearest("z", std::vector<std::string>{"xz"}), "xz");
+}
+
 TEST(Nearest, TakesTheNearestNotTheFirst) {
   const std::vector<std::string> candidates{"stable-x", "stable-y", "stable-z"};
   EXPECT_EQ(nearest("stabel-z", candidates), "stable-z");

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "cli/twrench.h"
 #include "system/file.h"
 
@@ -34,6 +36,17 @@ TEST(Plot, NinePanelsWithTheFlipsMarked) {
   EXPECT_THAT(svg, HasSubstr(">flips<"));
   EXPECT_EQ(count_of("t (s)", svg), 3);
   EXPECT_GE(dashes(svg), 9) << "one in each panel at least";
+}
+
+TEST(Plot, ExplainsItsLinesInTheTopMargin) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_twrench(folder, "plot -o a.svg").code, 0);
+  const std::string svg = text_of(folder / "a.svg");
+  std::smatch key;
+  ASSERT_TRUE(std::regex_search(
+      svg, key, std::regex(R"(translate\([-.\d]+,([-.\d]+)\)[^>]*>\s*<text>flips<)")));
+  EXPECT_GT(std::stod(key[1]), 14);
+  EXPECT_LT(std::stod(key[1]), 42);
 }
 
 TEST(Plot, AWobbleHasNoFlipsToMark) {

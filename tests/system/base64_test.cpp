@@ -21,8 +21,8 @@ TEST(Base64, IsThatOfTheStandard) {
 }
 
 TEST(Base64, HasNoPaddingBetweenThePieces) {
-  const std::string text = encoded(std::string((3U << 20U) + 1, '\0'));
-  EXPECT_EQ(text, std::string(4U << 20U, 'A') + "AA==");
+  const std::string text = encoded(std::string((9U << 20U) + 1, '\0'));
+  EXPECT_TRUE(text == std::string(12U << 20U, 'A') + "AA==");  // too long to be printed
 }
 
 std::string decoded(const std::string& text) {

@@ -76,6 +76,14 @@ TEST_F(BlurOfARod, KeepsPosesAsCloseTogetherAsAtTheEdge) {
   }
 }
 
+TEST_F(BlurOfARod, IsTheSameInAWidePicture) {
+  const std::vector<int> square = counts(0.1, 16);
+  pane.width *= 2;
+  camera = frame_sphere({Vector3d::UnitZ(), 0.5, 2, radius});
+  for (image::Area& area : areas) area.x += 320;
+  EXPECT_EQ(counts(0.1, 16), square);
+}
+
 TEST_F(BlurOfARod, CallsForFewPosesWhereItMovesTowardsTheEye) {
   EXPECT_LE(counts(0.1, 16, Vector3d::UnitY())[1], 8);
 }
