@@ -386,9 +386,8 @@ TEST(Encoder, TakesTheCodecFromTheEnding) {
 TEST(Encoder, TakesRatesThatAreNotWhole) {
   const ScratchFolder scratch;
   const std::vector<std::pair<double, std::string>> rates{
-      {59.94, "2997/50"}, {60000.0 / 1001, "60000/1001"}, {0.5, "1/2"},     {60, "60/1"},
-      {12.5, "25/2"},     {23.976, "2997/125"},           {0.001, "1/1000"},
-      {1000, "1000/1"}};
+      {59.94, "2997/50"}, {60000.0 / 1001, "60000/1001"}, {0.5, "1/2"},      {60, "60/1"},
+      {12.5, "25/2"},     {23.976, "2997/125"},           {0.001, "1/1000"}, {1000, "1000/1"}};
   for (const auto& [fps, fraction] : rates) {
     EXPECT_THAT(encoder_arguments({64, 48, fps}), ::testing::Contains(fraction)) << fps;
   }
