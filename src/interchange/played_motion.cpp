@@ -38,6 +38,19 @@ Vector3d component_bounds(const Eigen::Array3d& moments, const Vector3d& omega) 
   return bounds.sqrt().matrix();
 }
 
+/// Returns the derivative of a product by Leibniz' rule. `term(i, k)` is the product of the first
+/// factor's derivative of order i and the second's of order k.
+template <typename Term>
+auto leibniz(std::size_t order, const Term& term) {
+  auto sum = term(0, order);
+  double binomial = 1;
+  for (std::size_t i = 1; i <= order; ++i) {
+    binomial = binomial * static_cast<double>(order - i + 1) / static_cast<double>(i);
+    sum += binomial * term(i, order - i);
+  }
+  return sum;
+}
+
 /// omega in body axes and its first two derivatives.
 struct Derivatives {
   Vector3d omega, first, second;
@@ -85,27 +98,20 @@ motion::Sample PlayedMotion::at(double time) const {
 PlayedMotion::Peaks PlayedMotion::curvatures_of_rigid_body() const {
   const body::PrincipalAxes& principal = body_.principal();
   const Vector3d c = coupling(principal.moments).cwiseAbs();
-  const Vector3d w =
-      component_bounds(principal.moments.array(), principal.axes.transpose() * body_.omega());
-  const Vector3d d1 = products(c, w, w);
-  const Vector3d d2 = products(c, d1, w) + products(c, w, d1);
-  const Vector3d d3 = products(c, d2, w) + 2 * products(c, d1, d1) + products(c, w, d2);
-  const Vector3d d4 =
-      products(c, d3, w) + 3 * products(c, d2, d1) + 3 * products(c, d1, d2) + products(c, w, d3);
-  return {d2.norm(), d3.norm(), d4.norm()};
+  std::array<Vector3d, 5> d;
+  d[0] = component_bounds(principal.moments.array(), principal.axes.transpose() * body_.omega());
+  for (std::size_t k = 0; k + 1 < d.size(); ++k) {
+    d[k + 1] = leibniz(k, [&](std::size_t i, std::size_t j) { return products(c, d[i], d[j]); });
+  }
+  return {d[2].norm(), d[3].norm(), d[4].norm()};
 }
 
-/// Bounds the derivatives of m, w and omega in turn by Leibniz' rule, from |m| = |L|.
+/// Bounds the derivatives of m, w and omega in turn, from |m| = |L|.
 PlayedMotion::Peaks PlayedMotion::curvatures_with_interior() const {
   constexpr std::size_t most = 4;
   std::array<double, most + 1> m{}, w{}, omega{};
   const auto product = [](const auto& p, const auto& q, std::size_t order) {
-    double sum = 0, binomial = 1;
-    for (std::size_t i = 0; i <= order; ++i) {
-      sum += binomial * p[i] * q[order - i];
-      binomial = binomial * static_cast<double>(order - i) / static_cast<double>(i + 1);
-    }
-    return sum;
+    return leibniz(order, [&](std::size_t i, std::size_t k) { return p[i] * q[k]; });
   };
   const double least_moment = body_.principal().moments[0];
   m[0] = body_.momentum().stableNorm();
