@@ -95,7 +95,7 @@ std::vector<double> accents_in(const std::vector<double>& samples) {
   for (std::size_t n = 0; n + 1 <= samples.size() / hop; ++n) {
     std::complex<double> sum = sums.back();
     for (std::size_t i = n * hop; i < (n + 1) * hop; ++i) {
-      sum += std::polar(samples[i], -2 * std::numbers::pi * 75 * double(i) / rate);
+      sum += samples[i] * std::polar(1.0, -2 * std::numbers::pi * 75 * double(i) / rate);
     }
     sums.push_back(sum);
   }
