@@ -8,6 +8,8 @@ add_library(twrench_options INTERFACE)
 target_compile_options(twrench_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 target_include_directories(twrench_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+# The standard library checks indexes and empty optionals in debug builds, among them those of the sanitizers.
+target_compile_definitions(twrench_options INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 # In some releases HarfBuzz adds this flag to the targets that link it. All targets have it, because they can share
 # precompiled headers only with the same flags.
 if(TWRENCH_RENDER)

@@ -63,7 +63,7 @@ class Tree:
         trace = self.build / "trace.o"
         self._run(["cc", "-O2", "-fPIC", "-c", str(self.source / "scripts/mutation/trace.c"), "-o", str(trace)],
                   "configure")
-        flags = f"-O1 -DNDEBUG {RECORDING}"
+        flags = f"-O1 -D_GLIBCXX_ASSERTIONS {RECORDING}"  # bounds are checked
         options = ["-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}", "-DBUILD_TESTING=ON",
                    "-DTWRENCH_PYTHON=ON", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=4",
                    "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]
