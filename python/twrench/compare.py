@@ -78,8 +78,8 @@ def compare(
     :param min_ssim: least structural similarity, up to 1.
     :param edges: number of pixels by which edges may be displaced, 0 to 16.
     :param ignore: rectangles (x, y, width, height) in pixels that count as equal.
-    :param diff: for two files, a PNG file for the amplified difference.
-    :param report: a file for an HTML page that shows the differences.
+    :param diff: for two files, a ``.png`` file for the amplified difference.
+    :param report: an ``.html`` file for a page that shows the differences.
     :param update: replace the expected files with the actual ones that differ, and add extra ones.
     :returns: the result, before any update.
     :raises UsageError: for a wrong argument, or a file compared with a folder.
