@@ -236,6 +236,15 @@ TEST_F(CompareFolders, ReportIsOnePageWithPictures) {
   EXPECT_LT(page.find("<h2>b.png"), page.find("<h2>a&lt;b.png"));  // the worst first
 }
 
+TEST_F(CompareFolders, ReportHasAChartOfSeveralFrames) {
+  add("a.png", 100, 130);
+  EXPECT_EQ(compare("--report one.html").code, 1);
+  EXPECT_THAT(text_of(folder_ / "one.html"), Not(HasSubstr("frame by frame")));
+  add("b.png", 100, 100);
+  EXPECT_EQ(compare("--report two.html").code, 1);
+  EXPECT_THAT(text_of(folder_ / "two.html"), HasSubstr("frame by frame"));
+}
+
 TEST_F(CompareFolders, ReportHasNoPicturesOfAFrameThatCannotBeRead) {
   add("a.png", 100, 130);
   system::write_file_atomically(folder_ / "actual/a.png", "no picture");

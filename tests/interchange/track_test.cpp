@@ -128,6 +128,17 @@ TEST(Track, HasKeysOnlyWhereTheMotionNeedsThem) {
   }
 }
 
+// The powers of two scale without rounding.
+TEST(Track, HasTheKeysOfASlowMotionThatIsPlayedFaster) {
+  const Matrix3d inertia = Vector3d(500, 1000, 1300).asDiagonal();
+  const auto keys = [&](double speed) {
+    const motion::FreeBody body(inertia, Vector3d(0.125, 1, 0) / speed);
+    return attitude_track(PlayedMotion(body, speed, 96), 96, 1e-4).times;
+  };
+  const std::vector<float> expected = keys(1);
+  for (const double speed : {0x1p-10, 0x1p10}) EXPECT_EQ(keys(speed), expected) << speed;
+}
+
 TEST(Track, EndsIfItIsStopped) {
   const std::atomic<bool> stop = true;
   const PlayedMotion motion(motion::FreeBody(Matrix3d::Identity(), Vector3d::UnitX()), 1, 96,

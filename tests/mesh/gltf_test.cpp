@@ -262,6 +262,7 @@ TEST(Gltf, ThatIsBadIsRefusedWithThePlace) {
             cannot + "meshes[0].primitives[0].indices are no"},
            {"/accessors/0/sparse", json::object(), cannot + "accessors[0] is sparse"},
            {"/bufferViews/0/byteLength", json(201), cannot + "bufferViews[0] goes beyond the 200"},
+           {"/bufferViews/1/byteLength", json(105), cannot + "bufferViews[1] goes beyond the 200"},
            {"/bufferViews/0/byteOffset", json(18446744073709551615U),
             cannot + "bufferViews[0] goes"},
            {"/bufferViews/0/byteStride", json(0), cannot + "bufferViews[0].byteStride is no"},
