@@ -86,6 +86,20 @@ TEST(Gltf, IsInMetres) {
   }
 }
 
+TEST(Gltf, MayHaveSignedBytesWithGapsBetweenThem) {
+  std::string bytes;
+  for (const Eigen::Vector3d& v : cube({0, 0, 0}, 1).vertices) {
+    for (const double x : v) append(bytes, static_cast<std::int8_t>(x));
+    append(bytes, std::int8_t{0});
+  }
+  json quantized = document();
+  quantized["buffers"].push_back({{"byteLength", 32}, {"uri", data_uri(bytes)}});
+  quantized["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 32}, {"byteStride", 4}});
+  quantized["accessors"][0] = {
+      {"bufferView", 3}, {"componentType", 5120}, {"count", 8}, {"type", "VEC3"}};
+  EXPECT_EQ(read_json(quantized).shape.integrals.volume, 1e6);
+}
+
 TEST(Gltf, HasTheColorsOfItsVertices) {
   const MeshFile file = read_json(document());
   ASSERT_EQ(file.shape.surface->colors.size(), 8U);

@@ -30,6 +30,12 @@ TEST(MathMl, DistinguishesASignFromADifference) {
   EXPECT_THAT(mathml("T / T_0 - 1"), Not(HasSubstr(sign)));
 }
 
+TEST(MathMl, PutsNoSpaceAroundBarsAndSlashes) {
+  for (const char* tex : {"|", R"(\|)", "/"}) {
+    EXPECT_THAT(mathml(tex), HasSubstr(R"(<mo stretchy="false" lspace="0" rspace="0">)")) << tex;
+  }
+}
+
 TEST(MathMl, SpacesFunctions) {
   const std::string space = "<mspace width=\".17em\"/>";
   EXPECT_EQ(mathml(R"(\sin w)"), "<mi>sin</mi>" + space + "<mi>w</mi>");
