@@ -3,7 +3,7 @@
 FROM debian:trixie-slim AS build
 COPY . /twrench
 WORKDIR /twrench
-RUN apt-get update && scripts/package.sh
+RUN apt-get update && scripts/maintain/package.sh
 
 FROM debian:trixie-slim
 COPY --from=build /twrench/out/packages/twrench_*.deb /tmp/

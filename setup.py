@@ -42,7 +42,7 @@ def call(command: list[str | os.PathLike[str]]) -> None:
     try:
         subprocess.run(command, check=True)
     except FileNotFoundError:
-        sys.exit(f"twrench: error: {command[0]} is missing; scripts/setup.sh python installs it")
+        sys.exit(f"twrench: error: {command[0]} is missing; scripts/maintain/setup.sh python installs it")
     except subprocess.CalledProcessError:
         sys.exit("twrench: error: the module could not be built for the reason above")
 

@@ -6,7 +6,7 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+source scripts/maintain/common.sh
 bin=build/release/bin
 [[ -x $bin/edge_error ]] || die "edges.sh: $bin/edge_error is missing" \
   "build it: cmake --preset release -D TWRENCH_BENCH=ON && ninja -C build/release edge_error twrench"

@@ -5,10 +5,10 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-scripts/setup.sh foreign
-command -v npm >/dev/null || scripts/setup.sh node
-scripts/build.sh release twrench
+source scripts/maintain/common.sh
+scripts/maintain/setup.sh foreign
+command -v npm >/dev/null || scripts/maintain/setup.sh node
+scripts/maintain/build.sh release twrench
 require_writable build
 
 twrench=$PWD/build/release/bin/twrench folder=$PWD/build/foreign runs=$PWD/build/foreign/runs

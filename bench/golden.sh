@@ -4,14 +4,14 @@
 # wrong by half a degree, with each measure of `twrench compare`. Each figure is the largest of seven
 # frames of 1280x720; for the wrong pose it is the smallest: a bound must still detect that one.
 #
-# The suites (default: bookworm trixie testing) are installations that scripts/distros.sh left in
+# The suites (default: bookworm trixie testing) are installations that scripts/maintain/distros.sh left in
 # build/distros, with the program that it built from the same sources in each; PATH is another
 # program there. All frames are compared with those of OSMesa in the first suite. Needs root.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-source scripts/chroot.sh
+source scripts/maintain/common.sh
+source scripts/maintain/chroot.sh
 program=build/release/bin/twrench
 if [[ ${1-} == --program ]]; then
   program=$2

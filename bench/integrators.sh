@@ -5,7 +5,7 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/setup.sh bench
+scripts/maintain/setup.sh bench
 mkdir -p build/release
 if ! { cmake --preset release -DTWRENCH_BENCH=ON && ninja -C build/release integrators motion_functions; } \
   >build/release/bench.log 2>&1; then

@@ -5,7 +5,7 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/setup.sh foreign
+scripts/maintain/setup.sh foreign
 twrench=$PWD/build/release/bin/twrench
 squares=${1:-289}
 folder=$(mktemp -d)

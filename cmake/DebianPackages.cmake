@@ -1,6 +1,6 @@
-# Debian packages, which cpack makes from the installed components; scripts/package.sh runs all steps. dpkg-shlibdeps
-# finds the dependencies on linked libraries. Libraries and programs that are loaded or started at run time are listed
-# here, by the same rule for every release.
+# Debian packages, which cpack makes from the installed components; scripts/maintain/package.sh runs all steps.
+# dpkg-shlibdeps finds the dependencies on linked libraries. Libraries and programs that are loaded or started at run
+# time are listed here, by the same rule for every release.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

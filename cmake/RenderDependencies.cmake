@@ -62,7 +62,7 @@ twrench_header(GL_INCLUDE_DIR GL/glcorearb.h "OpenGL's headers"
 twrench_header(EGL_INCLUDE_DIR EGL/eglext.h "EGL's headers"
   DEBIAN libegl-dev FEDORA libglvnd-devel ARCH libglvnd)
 
-# By default the Python of the system: scripts/setup.sh installs packages for it.
+# By default the Python of the system: scripts/maintain/setup.sh installs packages for it.
 if(TWRENCH_PYTHON)
   find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
   find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module)

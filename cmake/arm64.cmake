@@ -1,5 +1,5 @@
 # Cross-compiles for arm64 with Debian's compiler and libraries, and runs build tools and tests in
-# QEMU's user-mode emulator (scripts/arm64.sh).
+# QEMU's user-mode emulator (scripts/maintain/arm64.sh).
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -3,7 +3,7 @@
 # formatting of the sources, the tests of threads under ThreadSanitizer, the tests under
 # AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone and used from outside, pages in a
 # browser, the reference pages, exported files read by other programs, the recipes of CONTRIBUTING.md followed
-# in a copy, the tests for uninitialised values under valgrind, and one minute of scripts/torture.sh.
+# in a copy, the tests for uninitialised values under valgrind, and one minute of scripts/maintain/torture.sh.
 #
 # Debian 13 is installed and tested beside the other steps, and pages and recipes beside the last ones: together
 # they use the processors when one of them downloads, waits or has one thread. Their outputs are printed when
@@ -12,7 +12,7 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+source scripts/maintain/common.sh
 
 # step TITLE COMMAND...: runs the command and prints its wall time and processor time.
 step() {
@@ -33,13 +33,13 @@ test_release() {
 }
 
 test_threads() {
-  "${launcher[@]}" scripts/build.sh --tests tsan thread_tests
+  "${launcher[@]}" scripts/maintain/build.sh --tests tsan thread_tests
   run_tests tsan --label-regex '^threads$'
 }
 
 install_packages() {
   local use
-  for use in check browser docs recipes coverage; do scripts/setup.sh "$use"; done
+  for use in check browser docs recipes coverage; do scripts/maintain/setup.sh "$use"; done
 }
 
 # Excludes the bodies of the matrix of commands that take the same paths as others, the tests of the numbers
@@ -61,7 +61,7 @@ test_under_asan() {
   one_by_one+='|^Commands/GoldenText.*/report |^Interior.AWheelOfAnySpeed|^Page.WritesAllBuiltInScenes'
   one_by_one+='|^Page.SaysThatItDrawsALargeMesh|^BuiltInStory.HasCaptionsInAnotherLanguage|^Quality.(IsWorse|OfEachEffort)'
   one_by_one+='|^OverlayRecipe|^Interior.(IsShownInPages|StudyNamesItsReference)|--size 16384x16384 --samples 64'
-  "${launcher[@]}" scripts/build.sh --tests asan
+  "${launcher[@]}" scripts/maintain/build.sh --tests asan
   GTEST_FILTER="*-$repeated" run_tests asan --exclude-regex "$one_by_one"
 }
 
@@ -93,8 +93,8 @@ if setarch --addr-no-randomize true 2>/dev/null; then
   launcher=(setarch --addr-no-randomize)
 fi
 
-# In a subshell, because scripts/chroot.sh also handles signals.
-no_debian_13=$(source scripts/chroot.sh && reason_against_roots)
+# In a subshell, because scripts/maintain/chroot.sh also handles signals.
+no_debian_13=$(source scripts/maintain/chroot.sh && reason_against_roots)
 
 # All packages, because only one process may install some at a time.
 step "The packages for the other checks" install_packages
@@ -102,20 +102,20 @@ if [[ $no_debian_13 ]]; then
   say "no Debian 13: $no_debian_13"
   step "All tests of the release build" test_release
 else
-  start_beside debian-13 "Both commands of README.md, and the tests with EGL only, in a bare Debian 13" scripts/distros.sh --tests trixie
+  start_beside debian-13 "Both commands of README.md, and the tests with EGL only, in a bare Debian 13" scripts/maintain/distros.sh --tests trixie
 fi
-step "The layout of the sources" scripts/lint.sh format
+step "The layout of the sources" scripts/maintain/lint.sh format
 step "The tests of the threads, under ThreadSanitizer" test_threads
 step "The tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
-start_beside pages "Pages, in a browser" scripts/page_test.sh  # which mostly waits
-start_beside recipes "The recipes of CONTRIBUTING.md, followed in a copy" scripts/recipes.sh
+start_beside pages "Pages, in a browser" scripts/maintain/page_test.sh  # which mostly waits
+start_beside recipes "The recipes of CONTRIBUTING.md, followed in a copy" scripts/maintain/recipes.sh
 step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
-  scripts/library.sh --quick
+  scripts/maintain/library.sh --quick
 finish_beside pages  # which also builds the release
-step "The reference pages; warnings are errors" scripts/docs.sh
-step "Exported files, read by other programs" scripts/interchange.sh
-step "The core's tests for uninitialised values, under valgrind" scripts/valgrind.sh --quick
+step "The reference pages; warnings are errors" scripts/maintain/docs.sh
+step "Exported files, read by other programs" scripts/maintain/interchange.sh
+step "The core's tests for uninitialised values, under valgrind" scripts/maintain/valgrind.sh --quick
 step "Random scenes, motions and command lines, and injected faults: one minute" \
-  scripts/torture.sh 1 2020
+  scripts/maintain/torture.sh 1 2020
 finish_beside recipes
 [[ $no_debian_13 ]] || finish_beside debian-13

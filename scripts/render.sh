@@ -5,9 +5,9 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$root/scripts/setup.sh" render
+"$root/scripts/maintain/setup.sh" render
 if [[ ! -x $root/build/release/bin/twrench || -e $root/build/page/page.html ]]; then
-  "$root/scripts/page.sh" || echo "twrench: note: the program is built without its pages, for the reason above" >&2
+  "$root/scripts/maintain/page.sh" || echo "twrench: note: the program is built without its pages, for the reason above" >&2
 fi
-"$root/scripts/build.sh" release twrench
+"$root/scripts/maintain/build.sh" release twrench
 exec "$root/build/release/bin/twrench" render "$@"

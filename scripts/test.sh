@@ -5,8 +5,8 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/setup.sh test
-scripts/build.sh --tests release
+scripts/maintain/setup.sh test
+scripts/maintain/build.sh --tests release
 # Runs two more tests at a time than there are processors, because some tests mostly wait for a lock
 # or a signal.
 exec ctest --test-dir build/release --output-on-failure --no-tests=error \

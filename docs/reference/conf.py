@@ -1,6 +1,6 @@
 """Sphinx's configuration for the documents and the reference pages of the Python module.
 
-scripts/docs.sh puts the sources together and runs Sphinx, with the built module on PYTHONPATH.
+scripts/maintain/docs.sh puts the sources together and runs Sphinx, with the built module on PYTHONPATH.
 """
 
 from __future__ import annotations

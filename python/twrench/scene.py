@@ -552,7 +552,7 @@ class Scene:
 
         :param path: the file.
         :param lab: leave out the article, which explains why the body turns over.
-        :param template: the page without a scene, as built by scripts/page.sh; None for the
+        :param template: the page without a scene, as built by scripts/maintain/page.sh; None for the
             built-in one.
         :returns: the path. The page needs no network and no server.
         :raises UsageError: for a scene that a page cannot show.

@@ -87,7 +87,7 @@ std::string page_template(const std::string& file) {
   const auto found = files.find("page.html");
   if (found != files.end()) return std::string(found->second);
   throw system::FileError("page", "this build does not include the page",
-                          "run scripts/page.sh, which makes it, and build again");
+                          "run scripts/maintain/page.sh, which adds it");
 }
 
 scene::Scene shown_scene(scene::Scene scene) {

@@ -7,9 +7,9 @@
 
 namespace twrench::page {
 
-/// Returns the page without a scene, as scripts/page.sh builds it: the one in the file or, if the
-/// name is empty, the built-in one. Throws FileError if the file cannot be read or none is built
-/// in.
+/// Returns the page without a scene, as scripts/maintain/page.sh builds it: the one in the file or,
+/// if the name is empty, the built-in one. Throws FileError if the file cannot be read or none is
+/// built in.
 std::string page_template(const std::string& file);
 
 /// The scene of a page.

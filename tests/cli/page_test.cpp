@@ -18,7 +18,8 @@ using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
-/// A page with only a scene. scripts/page.sh builds the real one, which is tested in a browser.
+/// A page with only a scene. scripts/maintain/page.sh builds the real one, which is tested in a
+/// browser.
 void write_template(const ScratchFolder& folder) {
   std::ofstream(folder / "t.html") << "<title>{{title}}</title><h1>{{title}}</h1>\n"
                                       "<!-- twrench:poster -->\n<!-- twrench:scene -->\n";
@@ -224,7 +225,7 @@ TEST(Page, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_twrench(folder, "page s.toml --template t.html -o a.html --duration 1e9").code, 0);
 }
 
-// Only scripts/page.sh makes the built-in page.
+// Only scripts/maintain/page.sh makes the built-in page.
 TEST(Page, IsBuiltInOrSaysHowToGetIt) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "page sphere -o a.html");
@@ -234,7 +235,7 @@ TEST(Page, IsBuiltInOrSaysHowToGetIt) {
     EXPECT_EQ(run.code, 5);
     EXPECT_EQ(run.err,
               "twrench: error: page: this build does not include the page\n"
-              "  run scripts/page.sh, which makes it, and build again\n");
+              "  run scripts/maintain/page.sh, which adds it\n");
   }
 }
 

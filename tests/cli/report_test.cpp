@@ -48,7 +48,7 @@ TEST(Report, HasThePageOfTheMotionInAFrame) {
   const Outcome run = run_twrench(folder, "report stable-z --duration 10 -o a.html");
   if (run.code != 0) {  // a program that was built before its page
     EXPECT_EQ(run.code, 5);
-    EXPECT_THAT(run.err, HasSubstr("scripts/page.sh"));
+    EXPECT_THAT(run.err, HasSubstr("scripts/maintain/page.sh"));
     return;
   }
   const std::string all = text_of(folder / "a.html");

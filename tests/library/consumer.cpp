@@ -1,5 +1,5 @@
-// A program that links the installed library. scripts/library.sh compiles it with other flags than
-// the library's; the results must be the same.
+// A program that links the installed library. scripts/maintain/library.sh compiles it with other
+// flags than the library's; the results must be the same.
 #include <twrench/base/error.h>
 #include <twrench/math/so3.h>
 #include <twrench/study/flip_search.h>

@@ -1,5 +1,5 @@
 // The files that `cmake --install` installs for each component, and the metadata of the components'
-// Debian packages. scripts/try_packages.sh installs the packages themselves.
+// Debian packages. scripts/maintain/try_packages.sh installs the packages themselves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

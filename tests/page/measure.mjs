@@ -1,6 +1,6 @@
 // measure.mjs frame: the time of JavaScript and WebAssembly per frame of a page, without WebGL's drawing.
 // measure.mjs memory [MINUTES]: memory while a page plays at 16 times the speed of the motion.
-// Run it where scripts/page_test.sh runs the tests: TWRENCH=... node build/page/npm/measure.mjs frame
+// Run it where scripts/maintain/page_test.sh runs the tests: TWRENCH=... node build/page/npm/measure.mjs frame
 import { execFileSync } from 'node:child_process';
 import { browser, open, writePage } from './browser.mjs';
 

@@ -31,7 +31,7 @@ def program() -> Callable[..., str]:
 
 @pytest.fixture
 def template(tmp_path) -> Path:
-    """A page without a scene. scripts/page.sh builds the real one."""
+    """A page without a scene. scripts/maintain/page.sh builds the real one."""
     file = tmp_path / "template.html"
     file.write_text(
         "<title>{{title}}</title><h1>{{title}}</h1>\n"

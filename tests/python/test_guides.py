@@ -84,7 +84,7 @@ def test_the_commands_of_a_page_run(page, tmp_path, template):
         if words[1] == "render" and "--frames" not in words:
             words += ["--frames", "0-3"]  # the frames of a film differ in the pose alone
         if words[1] == "page":
-            words += ["--template", str(template)]  # the real one is built by scripts/page.sh
+            words += ["--template", str(template)]  # the real one is built by scripts/maintain/page.sh
         run = subprocess.run(words, cwd=tmp_path, env=with_program(), capture_output=True, text=True)
         printed = run.stdout + run.stderr
         fails = any("error:" in line for line in shown)
@@ -122,7 +122,7 @@ def test_the_commands_of_other_pages_run(page, tmp_path, template):
         if words[1] == "page":
             words += ["--template", str(template)]
         if words[1] == "report":
-            words += ["--static"]  # without the page, which scripts/page.sh builds
+            words += ["--static"]  # without the page, which scripts/maintain/page.sh builds
         run = subprocess.run(words, cwd=tmp_path, env=with_program(), capture_output=True, text=True)
         # check has a negative verdict on a motion of another body.
         assert run.returncode in ((0, 1) if words[1] == "check" else (0,)), f"{command}\n{run.stderr}"

@@ -1,6 +1,6 @@
 """The example of each recipe of CONTRIBUTING.md, in a scene file, a film, Python and a page.
 
-scripts/recipes.sh runs this in a copy of the sources to which the patches beside this file have been
+scripts/maintain/recipes.sh runs this in a copy of the sources to which the patches beside this file have been
 applied; TWRENCH is the program that was built there.
 """
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
-sys.path.insert(0, str(SCRIPTS))
+MAINTAIN = Path(__file__).resolve().parents[2] / "scripts/maintain"
+sys.path.insert(0, str(MAINTAIN))
 
 from mutation.changes import Change, draw, possible_changes, room_of
 from mutation.coverage import Definition, Definitions, Module, Recorder, definitions_of
@@ -214,7 +214,7 @@ int main(int argc, char**) {
 def test_the_functions_that_run_are_recorded(tmp_path: Path, arguments: list[str]) -> None:
     (tmp_path / "a.cpp").write_text(PROGRAM)
     (tmp_path / "unity.cxx").write_text('#include "a.cpp"\n')
-    trace = SCRIPTS / "mutation/trace.c"
+    trace = MAINTAIN / "mutation/trace.c"
     subprocess.run(["cc", "-c", trace, "-o", "trace.o"], cwd=tmp_path, check=True)
     subprocess.run(["c++", *RECORDING.split(), "-O1", tmp_path / "unity.cxx", "trace.o", "-o", "a"], cwd=tmp_path,
                    check=True)

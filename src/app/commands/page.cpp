@@ -110,7 +110,7 @@ void add_page(CLI::App& app) {
       ->group(heading(OptionGroup::output));
   command
       ->add_option("--template", options->template_file,
-                   "the page without a scene, as scripts/page.sh builds it")
+                   "the page without a scene, as scripts/maintain/page.sh builds it")
       ->type_name("FILE")
       ->default_str("the one built in")
       ->group(heading(OptionGroup::output));

@@ -41,7 +41,7 @@ from mutation.coverage import Definitions, Module, Recorder
 from mutation.programs import Case, Program, list_programs, record, run_jobs
 from mutation.tree import AppliedChange, BuildError, Tree, rooms_above
 
-PROJECT = Path(__file__).resolve().parent.parent
+PROJECT = Path(__file__).resolve().parents[2]
 ACCEPTED = 0.10  # share of survivors
 NOT_COMPILED, SAME_CODE, SURVIVED, NOTICED = "did not compile", "same machine code", "survived", "noticed"
 NEEDED_SPACE = 4 << 30  # bytes of the build, the logs and the files of the tests
@@ -245,7 +245,7 @@ def prepare(tree: Tree) -> None:
     if subprocess.run(["git", "rev-parse", "--verify", "--quiet", "HEAD"], cwd=PROJECT,
                       capture_output=True).returncode != 0 or not (PROJECT / ".git").exists():
         raise CannotRun(f"{PROJECT} is not a git checkout with a commit; clone the repository")
-    if subprocess.run([PROJECT / "scripts/setup.sh", "test"], stdin=subprocess.DEVNULL).returncode != 0:
+    if subprocess.run([PROJECT / "scripts/maintain/setup.sh", "test"], stdin=subprocess.DEVNULL).returncode != 0:
         raise CannotRun("packages are missing; install them as described above")
     is_built = (tree.build / ".ninja_deps").exists()
     if shutil.disk_usage(tree.home).free < NEEDED_SPACE // (4 if is_built else 1):

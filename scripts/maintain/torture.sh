@@ -11,24 +11,24 @@
 # it. Exit code 1 if there was a fault.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 minutes=${1:-3} seed=${2:-2020}
 if [[ ! $minutes =~ ^[0-9]+$ || ! $seed =~ ^[0-9]+$ ]]; then
   echo "usage: $0 [MINUTES] [SEED]" >&2
   exit 2
 fi
 seconds=$((minutes * 60 / 6))
-scripts/setup.sh test
+scripts/maintain/setup.sh test
 
 # build PRESET TARGET...: configures again only if it was last configured without these programs.
 build() {
   local cache=build/$1/CMakeCache.txt
-  [[ -f $cache ]] || scripts/build.sh --tests "$1" twrench
+  [[ -f $cache ]] || scripts/maintain/build.sh --tests "$1" twrench
   grep -qxF TWRENCH_TORTURE:BOOL=ON "$cache" ||
     cmake --preset "$1" -DTWRENCH_TORTURE=ON >"build/$1/configure.log" 2>&1 ||
     die "cmake could not configure build/$1" "all it said is in build/$1/configure.log"
-  scripts/build.sh --tests "$@"
+  scripts/maintain/build.sh --tests "$@"
 }
 
 failed=0

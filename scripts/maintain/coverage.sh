@@ -3,9 +3,9 @@
 # library source; those below 90 % come first.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/setup.sh coverage
-scripts/build.sh --tests coverage
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+scripts/maintain/setup.sh coverage
+scripts/maintain/build.sh --tests coverage
 find build/coverage -name '*.gcda' -delete
 # Excludes tests that limit file sizes or kill processes: they would damage the counters' files as
 # well, and every later program would complain.

@@ -7,8 +7,8 @@
 #                                 error or the failing test that reports it. Takes an hour or more
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 
 patches=$PWD/tests/recipes home=$PWD/build/recipes
 copy=$home/source new=$home/new logs=$home/logs
@@ -69,7 +69,7 @@ build() {
     cmake -S "$copy" --preset release -DBUILD_TESTING=ON -DTWRENCH_PYTHON=ON \
       -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' >"$logs/configure.log" || return
   # The page is part of the program.
-  "$copy/scripts/page.sh" && "$copy/scripts/build.sh" --tests release "${targets[@]}" || return
+  "$copy/scripts/maintain/page.sh" && "$copy/scripts/maintain/build.sh" --tests release "${targets[@]}" || return
   [[ -s $page/page.html ]]
 }
 
@@ -149,9 +149,9 @@ for recipe in "$@"; do
   }
 done
 
-scripts/setup.sh recipes
+scripts/maintain/setup.sh recipes
 # Any installed Node.js will do.
-command -v node >/dev/null || scripts/setup.sh node
+command -v node >/dev/null || scripts/maintain/setup.sh node
 require_writable build/recipes
 say "following the recipes: ${recipes[*]}"
 check_all

@@ -6,14 +6,14 @@
 #
 # In each suite root runs scripts/render.sh and writes a page in an installation of Debian's minimal base only; then a
 # user with sudo runs scripts/test.sh and the rendering tests with EGL only. With --tests that is all.
-# Without it, the user also runs scripts/render.sh again, and scripts/package.sh, whose packages
-# scripts/try_packages.sh then tries. The committed sources (HEAD) are tested. Takes about half an hour
+# Without it, the user also runs scripts/render.sh again, and scripts/maintain/package.sh, whose packages
+# scripts/maintain/try_packages.sh then tries. The committed sources (HEAD) are tested. Takes about half an hour
 # and 3 GB per suite, ten minutes with --tests. Needs root.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-source scripts/chroot.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
+source scripts/maintain/chroot.sh
 tests_only=''
 if [[ ${1-} == --tests ]]; then
   tests_only=yes
@@ -26,7 +26,7 @@ reason=$(reason_against_roots)
 [[ -z $reason ]] || die "distros.sh: $reason" "start it as root, for example with sudo"
 git rev-parse --quiet --verify HEAD >/dev/null 2>&1 ||
   die "distros.sh: this folder is not a git checkout" "clone the repository: the committed sources are tested"
-scripts/setup.sh distros
+scripts/maintain/setup.sh distros
 
 suites=("$@")
 ((${#suites[@]})) || suites=(bookworm trixie testing arm64)
@@ -93,9 +93,9 @@ try_suite() {
   again=$took
 
   say "$suite: the packages, in another bare installation"
-  timed "$root.package.log" "$root" someone "scripts/package.sh"
+  timed "$root.package.log" "$root" someone "scripts/maintain/package.sh"
   packages=$took
-  [[ $packages == failed ]] || scripts/try_packages.sh "$suite" "$root/home/someone/twrench/out/packages" \
+  [[ $packages == failed ]] || scripts/maintain/try_packages.sh "$suite" "$root/home/someone/twrench/out/packages" \
     --frames 0-59 || packages=failed
   row="| $suite | $(version "$root" g++), $(version "$root" cmake) | $(version "$root" libegl-mesa0)"
   row+=" | $(version "$root" ffmpeg) | $film | $tests | $(counts "$root.test.log")"
@@ -110,7 +110,7 @@ try_arm64() {
   say "arm64: the core, cross-compiled in trixie"
   make_root "$root" trixie
   put_sources "$root"
-  timed "$root.test.log" "$root" root "scripts/arm64.sh"
+  timed "$root.test.log" "$root" root "scripts/maintain/arm64.sh"
   arm64="arm64, in $(version "$root" qemu-user) of QEMU: $took seconds, $(counts "$root.test.log")"
   [[ $took != failed ]] || failures=$((failures + 1))
 }

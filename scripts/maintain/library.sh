@@ -10,14 +10,14 @@
 #                       itself, whose tests also run with the rest
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 mode=${1-}
 if [[ -n $mode && $mode != --quick ]]; then
   sed -n '/^# /s///p; /^set/q' "$0"
   [[ $mode == --help ]] && exit 0 || exit 2
 fi
-scripts/setup.sh check
+scripts/maintain/setup.sh check
 
 # expect_line TEXT FILE
 expect_line() {

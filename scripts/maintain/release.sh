@@ -7,8 +7,8 @@
 # are reproducible: the same commit gives the same bytes on the same release of Debian.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 checks=yes
 case ${1-} in
   '') ;;
@@ -40,7 +40,7 @@ require_writable "$release"
 # Without the time of packing, which gzip would store.
 git archive --format=tar --prefix="twrench-$version/" HEAD | gzip --no-name --best \
   >"$release/twrench-$version.tar.gz"
-scripts/package.sh >/dev/null
+scripts/maintain/package.sh >/dev/null
 cp out/packages/*.deb "$release"
 (cd "$release" && sha256sum -- * >SHA256SUMS)
 say "the files of $version:"
@@ -49,6 +49,6 @@ cat >&2 <<END
 twrench: left to a maintainer:
   1. git tag --sign v$version -m "twrench $version" && git push origin v$version
   2. Publish a release of this tag with the files in $release and the section of CHANGELOG.md.
-  3. Make the packages of the other releases of Debian: scripts/package.sh in each.
+  3. Make the packages of the other releases of Debian: scripts/maintain/package.sh in each.
   4. Start a section "## [Unreleased]" in CHANGELOG.md.
 END

@@ -3,8 +3,8 @@
 # (default: all). All output goes to standard error.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 tests=OFF
 if [[ ${1-} == --tests ]]; then
   tests=ON

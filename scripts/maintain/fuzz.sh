@@ -2,14 +2,14 @@
 # fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in fuzz/ (manifest, png, range,
 # scene, table) with ASan and UBSan, starting from the saved corpus. New inputs go to
 # build/fuzz/corpus/TARGET; an input that causes a failure is saved in build/fuzz and belongs in
-# fuzz/corpus once fixed. Needs clang-14 (scripts/setup.sh tidy installs it).
+# fuzz/corpus once fixed. Needs clang-14 (scripts/maintain/setup.sh tidy installs it).
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 target=${1:?usage: fuzz.sh TARGET SECONDS}
 seconds=${2:?usage: fuzz.sh TARGET SECONDS}
-scripts/setup.sh tidy
-scripts/build.sh fuzz "fuzz_$target"
+scripts/maintain/setup.sh tidy
+scripts/maintain/build.sh fuzz "fuzz_$target"
 grown=build/fuzz/corpus/$target
 mkdir -p "$grown"
 # The memory of a scene is proportional to the sizes in it. No input may use more than this.

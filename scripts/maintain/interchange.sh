@@ -4,12 +4,12 @@
 # with Citation.js.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 
 # Any installed Node.js will do.
-if ! command -v node >/dev/null || ! command -v npm >/dev/null; then scripts/setup.sh interchange; fi
-scripts/build.sh release twrench
+if ! command -v node >/dev/null || ! command -v npm >/dev/null; then scripts/maintain/setup.sh interchange; fi
+scripts/maintain/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench
 require_writable build
 

@@ -5,9 +5,9 @@
 # frames; then it starts over.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 kills=${1:-100}
-scripts/build.sh release twrench
+scripts/maintain/build.sh release twrench
 twrench=$PWD/build/release/bin/twrench
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

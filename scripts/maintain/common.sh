@@ -1,4 +1,5 @@
-# shellcheck shell=bash Messages, the version, and checks of writable folders. Other scripts source this file.
+# shellcheck shell=bash
+# Messages, the version, and checks of writable folders. Other scripts source this file.
 
 say() { printf 'twrench: %s\n' "$*" >&2; }
 

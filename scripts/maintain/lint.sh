@@ -5,7 +5,7 @@
 #   lint.sh tidy     installs clang-tidy and runs it on all sources; takes minutes
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 folders=()
 for folder in include src python examples tests fuzz bench torture web; do
   [[ ! -d $folder ]] || folders+=("$folder")
@@ -25,7 +25,7 @@ case "${1-}" in
     ;;
   fix) sources | xargs -0 clang-format-14 -i ;;
   tidy)
-    scripts/setup.sh tidy
+    scripts/maintain/setup.sh tidy
     # Makes the compile commands, one for each source, and the generated headers. clang does not
     # read GCC's precompiled headers.
     cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_UNITY_BUILD=OFF \

@@ -5,11 +5,11 @@
 #   docs.sh [FOLDER]   documents the Python module in FOLDER; by default, that of the release build
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-scripts/setup.sh docs
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
+scripts/maintain/setup.sh docs
 module=${1-$PWD/build/release/python}
-(($#)) || scripts/build.sh --tests release twrench_python
+(($#)) || scripts/maintain/build.sh --tests release twrench_python
 require_writable build/docs
 pages=$PWD/build/docs sources=$PWD/build/docs-sources
 

@@ -1,20 +1,26 @@
 #!/usr/bin/env bash
-# package.sh: installs missing dependencies, makes Debian packages for the installed release of Debian
-# in out/packages, and checks them with lintian. scripts/try_packages.sh tries them on a bare system.
+# package.sh [--twice]: installs missing dependencies, makes Debian packages for the installed release of Debian
+# in out/packages, and checks them with lintian. scripts/maintain/try_packages.sh tries them on a bare system.
 #
 # The packages are reproducible: the same sources, Debian packages and SOURCE_DATE_EPOCH give the same
 # bytes in any folder, for any user, at any time. SOURCE_DATE_EPOCH, in seconds since 1970, is by
 # default the time of the last commit or, outside git, that of the release (TWRENCH_RELEASE_DATE in
-# CMakeLists.txt).
+# CMakeLists.txt). With --twice the packages of the committed sources are then made again, in another folder
+# and with another umask, time zone, locale and home, and compared byte by byte.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-if (($#)); then
-  sed -n '/^# /s///p; /^set/q' "$0"
-  [[ $1 == --help ]] && exit 0 || exit 2
-fi
-scripts/setup.sh package
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
+twice=''
+case ${1-} in
+  '') ;;
+  --twice) twice=yes ;;
+  *)
+    sed -n '/^# /s///p; /^set/q' "$0"
+    [[ $1 == --help ]] && exit 0 || exit 2
+    ;;
+esac
+scripts/maintain/setup.sh package
 
 export LC_ALL=C.UTF-8 TZ=UTC
 umask 022
@@ -33,8 +39,8 @@ LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
 export CXXFLAGS LDFLAGS
 # The cache holds the flags of an earlier run.
 rm -f build/package/CMakeCache.txt
-scripts/page.sh
-scripts/build.sh package
+scripts/maintain/page.sh
+scripts/maintain/build.sh package
 
 build=build/package packages=out/packages
 require_writable "$packages"
@@ -50,3 +56,20 @@ lintian --allow-root --fail-on error,warning $build/packed/*.deb >&2 ||
 rm -f $packages/*.deb
 mv $build/packed/*.deb $packages
 ls $packages/*.deb
+
+# make_again: makes the packages of the committed sources elsewhere, and compares them with those above.
+make_again() {
+  local other package
+  other=$(mktemp --directory)
+  # shellcheck disable=SC2064 # that folder
+  trap "rm -rf '$other'" EXIT
+  git clone --quiet . "$other/elsewhere"
+  (umask 077 && env -i HOME="$other" PATH="$PATH" TZ=Asia/Tokyo LC_ALL=C CCACHE_DISABLE=1 \
+    "$other/elsewhere/scripts/maintain/package.sh" >/dev/null)
+  for package in $packages/*.deb; do
+    cmp "$package" "$other/elsewhere/$package" || die "$package differs from one build to the next" \
+      "diffoscope shows where, once the second build is kept: remove the trap in make_again"
+  done
+  say "both builds of the packages have the same bytes"
+}
+[[ -z $twice ]] || make_again

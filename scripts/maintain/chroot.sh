@@ -1,5 +1,5 @@
-# shellcheck shell=bash Bare installations of Debian, and commands in them. Other scripts source
-# this file after common.sh.
+# shellcheck shell=bash
+# Bare installations of Debian, and commands in them. Other scripts source this file after common.sh.
 
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 place=$PWD/build/distros # of installations, logs and downloaded packages

@@ -9,18 +9,18 @@
 # per release. Needs root.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 for suite; do
   [[ $suite != -* ]] || { sed -n '/^# /s///p; /^set/q' "$0"; [[ $suite == --help ]] && exit 0 || exit 2; }
 done
-source scripts/chroot.sh
+source scripts/maintain/chroot.sh
 reason=$(reason_against_roots)
 [[ -z $reason ]] || die "wheel.sh: $reason" "start it as root, for example with sudo"
 git rev-parse --quiet --verify HEAD >/dev/null 2>&1 ||
   die "wheel.sh: this folder is not a git checkout" "clone the repository: the committed sources are built"
-scripts/setup.sh distros
-scripts/page.sh
+scripts/maintain/setup.sh distros
+scripts/maintain/page.sh
 require_writable out/wheels
 
 # in_root ROOT USER COMMAND: runs the command in the installation; its output goes to ROOT.log.
@@ -39,7 +39,7 @@ build_wheel() {
   mkdir -p "$root/home/someone/twrench/build/page"
   cp build/page/page.html "$root/home/someone/twrench/build/page"
   chroot "$root" chown --recursive someone /home/someone/twrench
-  in_root "$root" root "scripts/setup.sh python && apt-get install --yes --no-install-recommends patchelf"
+  in_root "$root" root "scripts/maintain/setup.sh python && apt-get install --yes --no-install-recommends patchelf"
   in_root "$root" someone "CMAKE_BUILD_PARALLEL_LEVEL=$(nproc) python3 setup.py build"
   in_root "$root" someone "packaging/bundle_libraries.sh build/lib*/twrench"
   # The C library of the release is the oldest that the wheel runs with.

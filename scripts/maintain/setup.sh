@@ -21,8 +21,8 @@
 # script prints nothing and calls neither apt nor sudo.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 
 # Purpose | description | packages | fallback. The first package that the release has is used. The
 # fallback applies if it has none; without a fallback, a package is required.
@@ -191,7 +191,7 @@ while IFS='|' read -r use role packages instead; do
 done < <(needs)
 
 if ! command -v apt-get >/dev/null; then
-  die "this system has no apt-get: scripts/setup.sh installs packages of Debian and Ubuntu only" \
+  die "this system has no apt-get: scripts/maintain/setup.sh installs packages of Debian and Ubuntu only" \
     "cmake --preset release lists what is missing and its packages on Fedora and Arch" \
     "(docs/platforms.md); then: cmake --build --preset release"
 fi

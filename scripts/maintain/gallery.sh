@@ -2,7 +2,7 @@
 # Redraws the pictures of docs/gallery.md and of the README, each with the command shown there.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 program=${TWRENCH:-build/release/bin/twrench}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

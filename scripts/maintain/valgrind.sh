@@ -4,8 +4,8 @@
 # --quick it runs only the tests that look for such values, which takes seconds.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/setup.sh coverage
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+scripts/maintain/setup.sh coverage
 # Excludes the slowest tests, and tests that fail under valgrind. Its vfork is a fork, so a missing
 # program is reported only by the child's exit status 127; its long double has 64 bits.
 left_out=-*OfTheLargest*:*WithoutEnd*
@@ -25,7 +25,7 @@ if [[ ${1-} == --quick ]]; then
   left_out+=:*EndsWhen*
 fi
 (($#)) && programs=("$@")
-scripts/build.sh --tests release "${programs[@]}"
+scripts/maintain/build.sh --tests release "${programs[@]}"
 failed=()
 for program in "${programs[@]}"; do
   echo "== $program"

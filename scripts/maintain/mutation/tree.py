@@ -61,8 +61,8 @@ class Tree:
 
     def configure(self, linker: str | None) -> None:
         trace = self.build / "trace.o"
-        self._run(["cc", "-O2", "-fPIC", "-c", str(self.source / "scripts/mutation/trace.c"), "-o", str(trace)],
-                  "configure")
+        source = self.source / "scripts/maintain/mutation/trace.c"
+        self._run(["cc", "-O2", "-fPIC", "-c", str(source), "-o", str(trace)], "configure")
         flags = f"-O1 -D_GLIBCXX_ASSERTIONS {RECORDING}"  # bounds are checked
         options = ["-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS_RELEASE={flags}", "-DBUILD_TESTING=ON",
                    "-DTWRENCH_PYTHON=ON", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=4",

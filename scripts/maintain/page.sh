@@ -6,14 +6,14 @@
 #   page.sh --serve [SCENE]  builds it whenever a file of web/ changes, and serves a page of the scene
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 mode=${1-}
 if [[ -n $mode && $mode != --check && $mode != --serve ]]; then
   sed -n '/^# /s///p; /^set/q' "$0"
   [[ $mode == --help ]] && exit 0 || exit 2
 fi
-scripts/setup.sh page
+scripts/maintain/setup.sh page
 require_writable build/page
 out=$PWD/build/page
 
@@ -24,7 +24,7 @@ clang_version() {
     command -v "clang++-$version" >/dev/null && command -v "wasm-ld-$version" >/dev/null || continue
     [[ ! -e /usr/lib/llvm-$version/lib/wasm32-wasi/libc++abi.a ]] || { echo "$version" && return; }
   done
-  die "there is no Clang that makes WebAssembly" "scripts/setup.sh page"
+  die "there is no Clang that makes WebAssembly" "scripts/maintain/setup.sh page"
 }
 
 # The sources of the page's core, including those in web/core.
@@ -45,7 +45,7 @@ core_sources() {
 # build_core: builds build/page/core.wasm, unless it is newer than all of its sources.
 build_core() {
   local newer
-  newer=$(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core scripts/page.sh \
+  newer=$(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core scripts/maintain/page.sh \
     -newer "$out/core.wasm" -type f ! -name '*.js' -print -quit 2>/dev/null || echo all)
   [[ -n $newer ]] || return 0
   local version
@@ -80,7 +80,7 @@ build_core() {
 # build_template: builds build/page/page.html, unless it is newer than all of its sources. The program inserts a
 # scene into it.
 build_template() {
-  [[ $out/page.html -ot $out/core.base64 || -n $(find web shaders scripts/page.sh -newer "$out/page.html" -type f -print -quit) ]] ||
+  [[ $out/page.html -ot $out/core.base64 || -n $(find web shaders scripts/maintain/page.sh -newer "$out/page.html" -type f -print -quit) ]] ||
     return 0
   # The page contains the text of the shaders: without comments and indents it is 10 kB smaller.
   rm -rf "$out/source"
@@ -118,7 +118,7 @@ build_template() {
 # check_types: checks the types in the comments of the scripts.
 check_types() {
   # Any installed Node.js will do.
-  command -v npm >/dev/null || scripts/setup.sh node
+  command -v npm >/dev/null || scripts/maintain/setup.sh node
   mkdir -p "$out/npm"
   if ! cmp -s web/package-lock.json "$out/npm/package-lock.json" || [[ ! -d $out/npm/node_modules ]]; then
     cp web/{package.json,package-lock.json,.npmrc} "$out/npm"
@@ -129,7 +129,7 @@ check_types() {
 
 serve() {
   local scene=${1-dzhanibekov} program=build/release/bin/twrench port=8000
-  scripts/build.sh release twrench
+  scripts/maintain/build.sh release twrench
   mkdir -p "$out/site"
   python3 -m http.server --directory "$out/site" --bind 127.0.0.1 "$port" >/dev/null 2>&1 &
   # shellcheck disable=SC2064 # that process

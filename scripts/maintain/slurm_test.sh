@@ -5,8 +5,8 @@
 # Debian's slurmctld slurmd slurm-client munge; takes some minutes.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/build.sh release twrench
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+scripts/maintain/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench
 farm=$PWD/farm
 folder=$(mktemp -d)

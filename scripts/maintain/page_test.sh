@@ -4,11 +4,11 @@
 # if it is installed. TEST is a word: only tests of pages with this word in their names run.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
-scripts/setup.sh browser
-scripts/page.sh --check
-scripts/build.sh --tests release twrench random_views
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
+scripts/maintain/setup.sh browser
+scripts/maintain/page.sh --check
+scripts/maintain/build.sh --tests release twrench random_views
 export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json
 CORE=$PWD/build/page/core.wasm WEB=$PWD/web RANDOM_VIEWS=$PWD/build/release/bin/random_views \
   node tests/page/views_test.mjs

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# try_packages.sh SUITE FOLDER [OPTION...]: installs the packages that scripts/package.sh made in
+# try_packages.sh SUITE FOLDER [OPTION...]: installs the packages that scripts/maintain/package.sh made in
 # FOLDER on a bare installation of the release SUITE, and uses and removes each. Options are those of
 # `twrench render`, for a film that takes less time than the default one. Needs root.
 #
@@ -8,15 +8,15 @@
 # behind.
 set -euo pipefail
 
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source scripts/maintain/common.sh
 (($# >= 2)) || die "try_packages.sh: expected SUITE FOLDER" "for example bookworm out/packages"
 ((EUID == 0)) || die "try_packages.sh: only root can make an installation of Debian" "start it with sudo"
 suite=$1 folder=$2
 shift 2
-compgen -G "$folder/*.deb" >/dev/null || die "$folder has no packages" "make them: scripts/package.sh"
-source scripts/chroot.sh
-scripts/setup.sh distros
+compgen -G "$folder/*.deb" >/dev/null || die "$folder has no packages" "make them: scripts/maintain/package.sh"
+source scripts/maintain/chroot.sh
+scripts/maintain/setup.sh distros
 
 root=$place/$suite-packages log=$place/$suite-packages.try.log
 say "$suite: a bare installation"
