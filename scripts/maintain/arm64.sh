@@ -12,7 +12,8 @@ programs=(
   fuzz_manifest fuzz_png fuzz_range fuzz_scene fuzz_table
 )
 scripts/maintain/setup.sh arm64
-scripts/maintain/build.sh --tests arm64 "${programs[@]}" twrench
+scripts/maintain/build.sh --tests --in arm64 release -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/arm64.cmake" \
+  "${programs[@]}" twrench
 # The two excluded tests compare thousands of motions with series in `long double`, whose 113 bits
 # are emulated in software: hours in the emulator. The 25-digit references are still tested.
 exec ctest --test-dir build/arm64 --output-on-failure --no-tests=error --parallel "$(nproc)" \

@@ -1,19 +1,27 @@
 #!/usr/bin/env bash
-# build.sh [--tests] PRESET [TARGET...]: configures build/PRESET if necessary and builds the targets
-# (default: all). All output goes to standard error.
+# build.sh [--tests] [--in NAME] PRESET [-DVARIABLE=VALUE...] [TARGET...]: configures build/PRESET, or build/NAME, if
+# necessary and builds the targets (default: all). All output goes to standard error.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source scripts/maintain/common.sh
-tests=OFF
+tests=OFF name='' variables=()
 if [[ ${1-} == --tests ]]; then
   tests=ON
   shift
 fi
-preset=${1:?usage: build.sh [--tests] PRESET [TARGET...]}
+if [[ ${1-} == --in ]]; then
+  name=${2-}
+  shift 2
+fi
+preset=${1:?usage: build.sh [--tests] [--in NAME] PRESET [-DVARIABLE=VALUE...] [TARGET...]}
 shift
+while [[ ${1-} == -D* ]]; do
+  variables+=("$1")
+  shift
+done
 targets=("${@:-all}")
-dir=build/$preset
+dir=build/${name:-$preset}
 cache=$dir/CMakeCache.txt
 
 # Tests stay configured once they are. Building the program alone and building the tests share a
@@ -21,9 +29,11 @@ cache=$dir/CMakeCache.txt
 # location (because the sources were moved or copied) is configured again.
 in_cache() { grep -qsxF "$1" "$cache"; }
 # The tests of the release also test the Python module.
-options=(--preset "$preset" -DBUILD_TESTING="$tests")
-[[ $tests == OFF || $preset != release ]] || options+=(-DTWRENCH_PYTHON=ON)
-if [[ ! -f $dir/build.ninja ]] || ! in_cache "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"; then
+options=(--preset "$preset" -B "$dir" -DBUILD_TESTING="$tests" "${variables[@]}")
+[[ $tests == OFF || $dir != build/release ]] || options+=(-DTWRENCH_PYTHON=ON)
+# Ninja's own file ends with this target, unless a full disk or a power cut has damaged it.
+is_configured() { ninja -C "$dir" -t query build.ninja >/dev/null 2>&1; }
+if ! is_configured || ! in_cache "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)"; then
   configure=(cmake --fresh "${options[@]}")
 elif [[ $tests == ON ]] && ! in_cache BUILD_TESTING:BOOL=ON; then
   configure=(cmake "${options[@]}")

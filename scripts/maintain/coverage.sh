@@ -5,7 +5,8 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 scripts/maintain/setup.sh coverage
-scripts/maintain/build.sh --tests coverage
+scripts/maintain/build.sh --tests --in coverage release -DCMAKE_BUILD_TYPE=Debug \
+  -DCMAKE_CXX_FLAGS_DEBUG='-O0 -g1 --coverage -fprofile-update=atomic -fprofile-exclude-files=^/usr/'
 find build/coverage -name '*.gcda' -delete
 # Excludes tests that limit file sizes or kill processes: they would damage the counters' files as
 # well, and every later program would complain.

@@ -9,7 +9,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 target=${1:?usage: fuzz.sh TARGET SECONDS}
 seconds=${2:?usage: fuzz.sh TARGET SECONDS}
 scripts/maintain/setup.sh tidy
-scripts/maintain/build.sh fuzz "fuzz_$target"
+scripts/maintain/build.sh --in fuzz release -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_CXX_FLAGS=-g1 \
+  -DTWRENCH_SANITIZE=fuzzer-no-link,address,undefined -DTWRENCH_FUZZ=ON "fuzz_$target"
 grown=build/fuzz/corpus/$target
 mkdir -p "$grown"
 # The memory of a scene is proportional to the sizes in it. No input may use more than this.

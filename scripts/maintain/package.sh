@@ -40,7 +40,7 @@ export CXXFLAGS LDFLAGS
 # The cache holds the flags of an earlier run.
 rm -f build/package/CMakeCache.txt
 scripts/maintain/page.sh
-scripts/maintain/build.sh package
+scripts/maintain/build.sh --in package release -DCMAKE_INSTALL_PREFIX=/usr -DTWRENCH_PYTHON=ON
 
 build=build/package packages=out/packages
 require_writable "$packages"
