@@ -6,8 +6,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/maintain/common.sh
-scripts/maintain/setup.sh foreign
-command -v npm >/dev/null || scripts/maintain/setup.sh node
+scripts/maintain/setup.sh foreign node
 scripts/maintain/build.sh release twrench
 require_writable build
 

@@ -4,8 +4,8 @@
 # the core cross-compiled for that architecture in Debian 13 and tested in an emulator. Default: all
 # of them.
 #
-# In each suite root runs scripts/render.sh and writes a page in an installation of Debian's minimal base only; then a
-# user with sudo runs scripts/test.sh and the rendering tests with EGL only. With --tests that is all.
+# In each suite root runs scripts/render.sh in an installation of Debian's minimal base only; then a user with sudo runs
+# scripts/test.sh, writes a page, and runs the rendering tests with EGL only. With --tests that is all.
 # Without it, the user also runs scripts/render.sh again, and scripts/maintain/package.sh, whose packages
 # scripts/maintain/try_packages.sh then tries. The committed sources (HEAD) are tested. Takes about half an hour
 # and 3 GB per suite, ten minutes with --tests. Needs root.
@@ -65,14 +65,14 @@ run_tests() {
   say "$1: scripts/render.sh as root, in a bare installation"
   make_root "$2" "$1"
   put_sources "$2"
-  timed "$2.render.log" "$2" root "scripts/render.sh && build/release/bin/twrench page -o out/flip.html"
+  timed "$2.render.log" "$2" root "scripts/render.sh"
   film=$took
 
   say "$1: scripts/test.sh as a user with sudo"
   inside "$2" root "chown --recursive someone . && apt-get install --yes sudo" >"$2.sudo.log" 2>&1 ||
     die "sudo cannot be installed in $1" "the full log is $2.sudo.log"
   echo 'someone ALL=(ALL) NOPASSWD: ALL' >"$2/etc/sudoers.d/someone"
-  timed "$2.test.log" "$2" someone "scripts/test.sh"
+  timed "$2.test.log" "$2" someone "scripts/test.sh && build/release/bin/twrench page -o out/flip.html"
   tests=$took
 
   timed "$2.egl.log" "$2" someone "TWRENCH_TEST_BACKEND=egl ctest \\

@@ -17,7 +17,7 @@ if [[ -n $mode && $mode != --quick ]]; then
   sed -n '/^# /s///p; /^set/q' "$0"
   [[ $mode == --help ]] && exit 0 || exit 2
 fi
-scripts/maintain/setup.sh check
+scripts/maintain/setup.sh library
 
 # expect_line TEXT FILE
 expect_line() {

@@ -39,7 +39,7 @@ LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
 export CXXFLAGS LDFLAGS
 # The cache holds the flags of an earlier run.
 rm -f build/package/CMakeCache.txt
-scripts/maintain/page.sh
+scripts/maintain/page.sh --template
 scripts/maintain/build.sh --in package release -DCMAKE_INSTALL_PREFIX=/usr -DTWRENCH_PYTHON=ON
 
 build=build/package packages=out/packages
@@ -66,7 +66,7 @@ make_again() {
   git clone --quiet . "$other/elsewhere"
   (umask 077 && env -i HOME="$other" PATH="$PATH" TZ=Asia/Tokyo LC_ALL=C CCACHE_DISABLE=1 \
     "$other/elsewhere/scripts/maintain/package.sh" >/dev/null)
-  for package in $packages/*.deb; do
+  for package in "$packages"/*.deb; do
     cmp "$package" "$other/elsewhere/$package" || die "$package differs from one build to the next" \
       "diffoscope shows where, once the second build is kept: remove the trap in make_again"
   done

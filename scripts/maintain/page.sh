@@ -1,20 +1,24 @@
 #!/usr/bin/env bash
 # Builds build/page/page.html, the template of `twrench page`: the motion's C++ as WebAssembly, and the
-# scripts and styles of web/ in one file. The next build of the program embeds it.
-#   page.sh          builds it
-#   page.sh --check  also checks the types of the scripts
+# scripts and styles of web/ in one file. Each build of the program embeds it if it is there.
+#   page.sh                builds it, and the program with it
+#   page.sh --template     builds it alone
+#   page.sh --check        builds it alone, and checks the types of the scripts
 #   page.sh --serve [SCENE]  builds it whenever a file of web/ changes, and serves a page of the scene
+#   page.sh --if-possible  builds it alone if its packages are installed; otherwise does the same as --current
+#   page.sh --current      builds nothing, but removes it if its sources have changed since it was built
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source scripts/maintain/common.sh
 mode=${1-}
-if [[ -n $mode && $mode != --check && $mode != --serve ]]; then
-  sed -n '/^# /s///p; /^set/q' "$0"
-  [[ $mode == --help ]] && exit 0 || exit 2
-fi
-scripts/maintain/setup.sh page
-require_writable build/page
+case $mode in
+  '' | --template | --check | --serve | --if-possible | --current) ;;
+  *)
+    sed -n '/^# /s///p; /^set/q' "$0"
+    [[ $mode == --help ]] && exit 0 || exit 2
+    ;;
+esac
 out=$PWD/build/page
 
 # Prints the version of a Clang whose libraries for WebAssembly are installed.
@@ -24,7 +28,13 @@ clang_version() {
     command -v "clang++-$version" >/dev/null && command -v "wasm-ld-$version" >/dev/null || continue
     [[ ! -e /usr/lib/llvm-$version/lib/wasm32-wasi/libc++abi.a ]] || { echo "$version" && return; }
   done
-  die "there is no Clang that makes WebAssembly" "scripts/maintain/setup.sh page"
+  return 1
+}
+
+# Whether all programs and libraries that build the page are installed.
+is_possible() {
+  clang_version >/dev/null && command -v esbuild >/dev/null && command -v zopfli >/dev/null &&
+    command -v openssl >/dev/null
 }
 
 # The sources of the page's core, including those in web/core.
@@ -42,14 +52,23 @@ core_sources() {
   printf 'web/core/%s.cpp\n' bindings integrated_motion page_views pictures platform recorded_run surfaces
 }
 
-# build_core: builds build/page/core.wasm, unless it is newer than all of its sources.
+# Whether build/page/core.wasm is newer than all of its sources.
+core_is_current() {
+  [[ -e $out/core.wasm && -z $(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core \
+    scripts/maintain/page.sh -newer "$out/core.wasm" -type f ! -name '*.js' -print -quit) ]]
+}
+
+# Whether build/page/page.html is newer than its other sources.
+template_is_current() {
+  [[ -e $out/page.html && ! $out/page.html -ot $out/core.wasm &&
+    -z $(find web shaders scripts/maintain/page.sh -newer "$out/page.html" -type f -print -quit) ]]
+}
+
+# build_core: builds build/page/core.wasm, unless it is current.
 build_core() {
-  local newer
-  newer=$(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core scripts/maintain/page.sh \
-    -newer "$out/core.wasm" -type f ! -name '*.js' -print -quit 2>/dev/null || echo all)
-  [[ -n $newer ]] || return 0
+  ! core_is_current || return 0
   local version
-  version=$(clang_version)
+  version=$(clang_version) || die "there is no Clang that makes WebAssembly" "scripts/maintain/setup.sh page"
   say "compiling the motion to WebAssembly with Clang $version"
   # Only the headers of these libraries: the system's folder also has those of its C library.
   mkdir -p "$out/include"
@@ -73,15 +92,15 @@ build_core() {
   done
   wait "${jobs[0]}" && wait "${jobs[1]}" || die "the motion could not be compiled to WebAssembly"
   "clang++-$version" --target=wasm32-wasi -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections \
-    "$out"/unity[01].o -o "$out/core.wasm"
-  zopfli -c "$out/core.wasm" | base64 -w 0 >"$out/core.base64"
+    "$out"/unity[01].o -o "$out/core.new"
+  zopfli -c "$out/core.new" | base64 -w 0 >"$out/core.base64"
+  # Last, so that an interrupted build is repeated.
+  mv "$out/core.new" "$out/core.wasm"
 }
 
-# build_template: builds build/page/page.html, unless it is newer than all of its sources. The program inserts a
-# scene into it.
+# build_template: builds build/page/page.html, unless it is current. The program inserts a scene into it.
 build_template() {
-  [[ $out/page.html -ot $out/core.base64 || -n $(find web shaders scripts/maintain/page.sh -newer "$out/page.html" -type f -print -quit) ]] ||
-    return 0
+  ! template_is_current || return 0
   # The page contains the text of the shaders: without comments and indents it is 10 kB smaller.
   rm -rf "$out/source"
   mkdir -p "$out/source/shaders"
@@ -117,10 +136,10 @@ build_template() {
 
 # check_types: checks the types in the comments of the scripts.
 check_types() {
-  # Any installed Node.js will do.
-  command -v npm >/dev/null || scripts/maintain/setup.sh node
   mkdir -p "$out/npm"
-  if ! cmp -s web/package-lock.json "$out/npm/package-lock.json" || [[ ! -d $out/npm/node_modules ]]; then
+  # npm writes the second file when it has installed everything.
+  if ! cmp -s web/package-lock.json "$out/npm/package-lock.json" ||
+    [[ ! -e $out/npm/node_modules/.package-lock.json ]]; then
     cp web/{package.json,package-lock.json,.npmrc} "$out/npm"
     npm ci --prefix "$out/npm" --ignore-scripts --loglevel=error >&2
   fi
@@ -148,8 +167,29 @@ serve() {
   done
 }
 
+# remove_old: removes a template whose sources have changed, so that no program contains an old page.
+remove_old() {
+  [[ -e $out/page.html ]] || return 0
+  ! { core_is_current && template_is_current; } || return 0
+  require_writable build/page
+  rm "$out/page.html"
+  say "note: the page is older than its sources, so this build leaves it out; scripts/maintain/page.sh adds it"
+}
+
+if [[ $mode == --current ]] || { [[ $mode == --if-possible ]] && ! is_possible; }; then
+  remove_old
+  exit 0
+fi
+case $mode in
+  --if-possible) ;;
+  --template) scripts/maintain/setup.sh page ;;
+  --check) scripts/maintain/setup.sh page node ;;
+  *) scripts/maintain/setup.sh render page ;;
+esac
+require_writable build/page
 [[ $mode != --check ]] || check_types
 [[ $mode != --serve ]] || serve "${@:2}"
 build_core
 build_template
 [[ $mode != --check ]] || say "$out/page.html: $(stat --format=%s "$out/page.html") bytes"
+[[ -n $mode ]] || scripts/maintain/build.sh release twrench

@@ -6,7 +6,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source scripts/maintain/common.sh
-scripts/maintain/setup.sh browser
+scripts/maintain/setup.sh browser node
 scripts/maintain/page.sh --check
 scripts/maintain/build.sh --tests release twrench random_views
 export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/trajectories.json

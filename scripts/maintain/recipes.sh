@@ -69,7 +69,7 @@ build() {
     cmake -S "$copy" --preset release -DBUILD_TESTING=ON -DTWRENCH_PYTHON=ON \
       -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' >"$logs/configure.log" || return
   # The page is part of the program.
-  "$copy/scripts/maintain/page.sh" && "$copy/scripts/maintain/build.sh" --tests release "${targets[@]}" || return
+  "$copy/scripts/maintain/page.sh" --template && "$copy/scripts/maintain/build.sh" --tests release "${targets[@]}" || return
   [[ -s $page/page.html ]]
 }
 
@@ -149,9 +149,7 @@ for recipe in "$@"; do
   }
 done
 
-scripts/maintain/setup.sh recipes
-# Any installed Node.js will do.
-command -v node >/dev/null || scripts/maintain/setup.sh node
+scripts/maintain/setup.sh recipes node
 require_writable build/recipes
 say "following the recipes: ${recipes[*]}"
 check_all

@@ -1,24 +1,28 @@
 #!/usr/bin/env bash
-# Installs the missing Debian or Ubuntu packages for:
-#   setup.sh render   building the program and making videos
-#   setup.sh python   building the Python module
-#   setup.sh test     also running the tests
-#   setup.sh check    also running the project's checks
-#   setup.sh tidy     also running clang-tidy and the fuzzers
-#   setup.sh bench    building the benchmarks and the programs they compare with
-#   setup.sh foreign  checking the motion of free bodies in other programs
-#   setup.sh coverage measuring line coverage, and running the tests under valgrind
-#   setup.sh arm64    cross-compiling for arm64 and running the core tests in an emulator
-#   setup.sh package  making Debian's packages
-#   setup.sh docs     building the reference pages
-#   setup.sh interchange running other programs on exported files
-#   setup.sh page     building the template of pages
-#   setup.sh browser  testing pages in a browser
-#   setup.sh recipes  following the recipes of CONTRIBUTING.md
-#   setup.sh node     running the programs of npm
-#   setup.sh distros  testing the project on other releases of Debian
+# Installs the missing Debian or Ubuntu packages for some purposes, in one round:
+#   setup.sh PURPOSE... [--if-possible PURPOSE...]
+# The purposes are:
+#   render      building the program and making videos
+#   python      building the Python module
+#   test        also running the tests
+#   check       also running the project's checks
+#   tidy        also running clang-tidy and the fuzzers
+#   bench       building the benchmarks and the programs they compare with
+#   foreign     checking the motion of free bodies in other programs
+#   library     building the library with another compiler, and comparing its interface
+#   coverage    measuring line coverage, and running the tests under valgrind
+#   arm64       cross-compiling for arm64 and running the core tests in an emulator
+#   package     making Debian's packages
+#   docs        building the reference pages
+#   interchange running other programs on exported files
+#   page        building the template of pages
+#   browser     testing pages in a browser
+#   recipes     following the recipes of CONTRIBUTING.md
+#   node        running the programs of npm
+#   distros     testing the project on other releases of Debian
 # Packages are selected by availability, not by the name of the release. If nothing is missing, the
-# script prints nothing and calls neither apt nor sudo.
+# script prints nothing and calls neither apt nor sudo. If only packages of the purposes after --if-possible
+# are missing and cannot be installed, it prints the reason and succeeds.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -82,8 +86,8 @@ test     | mandoc, for the same          | mandoc
 test     | libpng's tools, for the same  | libpng-tools
 check    | clang-format 14               | clang-format-14           | the formatting of the sources is not checked
 check    | debootstrap, for Debian 13   | debootstrap
-check    | Clang, the other compiler     | clang-14 clang
-check    | abidiff, to compare libraries | abigail-tools
+library  | Clang, the other compiler     | clang-14 clang
+library  | abidiff, to compare libraries | abigail-tools
 tidy     | clang-tidy 14                 | clang-tidy-14
 tidy     | Clang 14                      | clang-14
 tidy     | Clang 14's sanitizers         | libclang-rt-14-dev
@@ -120,6 +124,7 @@ page     | its compiler-rt               | libclang-rt-19-dev-wasm32 libclang-rt
 page     | a C library for WebAssembly   | wasi-libc
 page     | Eigen                         | libeigen3-dev
 page     | fmt                           | libfmt-dev
+page     | GLM                           | libglm-dev
 page     | Boost's headers               | libboost-dev
 page     | the bundler of scripts        | esbuild
 page     | OpenSSL's program             | openssl
@@ -166,28 +171,64 @@ arm64    | GoogleMock for arm64          | libgmock-dev:arm64
 END
 }
 
-case "${1-}" in
-  render | arm64 | page | node | distros) uses=("$1") ;;
-  python) uses=(render python) ;;
-  bench | foreign) uses=(render "$1") ;;
-  test | interchange) uses=(render python "$1") ;;
-  package) uses=(render python page package) ;;
-  browser) uses=(render page browser) ;;
-  recipes) uses=(render python test page recipes) ;;
-  check | tidy | coverage | docs) uses=(render python test "$1") ;;
-  *)
-    echo "usage: $0 render|python|test|check|tidy|bench|foreign|coverage|docs|arm64|package|interchange|page|browser|recipes|node|distros" >&2
-    exit 2
-    ;;
-esac
+# uses_of PURPOSE: prints the rows of the table that it needs.
+uses_of() {
+  case $1 in
+    render | arm64 | page | node | distros) echo "$1" ;;
+    python) echo render python ;;
+    bench | foreign) echo render "$1" ;;
+    test | interchange) echo render python "$1" ;;
+    package) echo render python page package ;;
+    browser) echo render page browser ;;
+    recipes) echo render python test page recipes ;;
+    check | library | tidy | coverage | docs) echo render python test "$1" ;;
+    *) return 1 ;;
+  esac
+}
 
-roles=() candidates=() otherwise=()
+usage() {
+  sed -n '/^# /s///p; /^set/q' "$0"
+  [[ $1 == --help ]] && exit 0 || exit 2
+}
+
+uses=() optional_uses=() is_optional=''
+for purpose; do
+  if [[ $purpose == --if-possible ]]; then
+    is_optional=yes
+    continue
+  fi
+  read -ra words < <(uses_of "$purpose") || usage "$purpose"
+  if [[ $is_optional ]]; then optional_uses+=("${words[@]}"); else uses+=("${words[@]}"); fi
+done
+((${#uses[@]} + ${#optional_uses[@]})) || usage ''
+
+# Any installed Node.js will do.
+has_node=''
+if command -v node >/dev/null && command -v npm >/dev/null; then has_node=yes; fi
+
+roles=() candidates=() otherwise=() required=()
+declare -A listed # the index of each list of packages
 while IFS='|' read -r use role packages instead; do
   read -r use <<<"$use"
-  [[ " ${uses[*]} " == *" $use "* ]] || continue
+  if [[ " ${uses[*]} " == *" $use "* ]]; then
+    is_required=1
+  elif [[ " ${optional_uses[*]} " == *" $use "* ]]; then
+    is_required=0
+  else
+    continue
+  fi
+  [[ $use != node || -z $has_node ]] || continue
+  read -r packages <<<"$packages"
+  read -r instead <<<"${instead-}" || true
+  i=${listed[$packages]-}
+  if [[ -n $i ]]; then
+    ((!is_required)) || required[i]=1
+    [[ -n $instead ]] || otherwise[i]=''
+    continue
+  fi
+  listed[$packages]=${#roles[@]}
   read -r roles[${#roles[@]}] <<<"$role"
-  read -r candidates[${#candidates[@]}] <<<"$packages"
-  read -r otherwise[${#otherwise[@]}] <<<"${instead-}" || true
+  candidates+=("$packages") otherwise+=("$instead") required+=("$is_required")
 done < <(needs)
 
 if ! command -v apt-get >/dev/null; then
@@ -202,17 +243,28 @@ installed=$(dpkg-query --show \
   --showformat='${db:Status-Status} ${Package}\n${db:Status-Status} ${Package}:${Architecture}\n' \
   $(all_packages) 2>/dev/null || true)
 
-missing=() must=0
+# Whether something must be installed, and whether it may be left out after all.
+missing=() must=0 may_fail=1
 for i in "${!roles[@]}"; do
   for package in ${candidates[i]}; do
     ! grep -qxF "installed $package" <<<"$installed" || continue 2
   done
   missing+=("$i")
   [[ -n ${otherwise[i]} ]] || must=1
+  [[ -n ${otherwise[i]} ]] || ((!required[i])) || may_fail=0
 done
 # Optional packages are installed only together with others.
 ((must)) || exit 0
 require_writable build
+
+# fail REASON REMEDY...: reports why packages cannot be installed, which ends this script.
+fail() {
+  ((may_fail)) || die "$@"
+  say "note: $1"
+  shift
+  printf '  %s\n' "$@" >&2
+  exit 0
+}
 
 # Sets as_root to the command prefix for running as root; returns false if there is none.
 find_root() {
@@ -224,10 +276,10 @@ find_root() {
   [[ -t 0 && -t 2 ]] && say "sudo is needed to install ${#missing[@]} packages" && sudo -v
 }
 
-# Sets `chosen` to a package for each missing item, `absent` to items for which the release has
-# none, and `notes` to the fallbacks used.
+# Sets `chosen` to a package for each missing item, `absent` to required items for which the release has
+# none, `dropped` to those after --if-possible, and `notes` to the fallbacks used.
 choose() {
-  chosen=() absent=() notes=()
+  chosen=() absent=() dropped=() notes=()
   local offered='' i package
   # shellcheck disable=SC2046 # words
   offered=$(LC_ALL=C apt-cache policy $(all_packages) 2>/dev/null |
@@ -241,8 +293,10 @@ choose() {
     done
     if [[ -n ${otherwise[i]} ]]; then
       notes+=("${roles[i]} is not in this release; ${otherwise[i]}")
-    else
+    elif ((required[i])); then
       absent+=("${roles[i]} (${candidates[i]})")
+    else
+      dropped+=("${roles[i]} is not in this release")
     fi
   done
 }
@@ -251,14 +305,14 @@ if ! find_root; then
   choose
   command="apt-get update && apt-get install --yes --no-install-recommends ${chosen[*]}"
   # Without package lists no candidates are known: use the first package that may provide each item.
-  if ((${#absent[@]})); then
+  if ((${#absent[@]} + ${#dropped[@]})); then
     command="apt-get update && apt-get install --yes --no-install-recommends"
     for i in "${missing[@]}"; do
       [[ -n ${otherwise[i]} ]] || command+=" $(awk '{ print $1 }' <<<"${candidates[i]}")"
     done
   fi
   ! command -v sudo >/dev/null || command="sudo sh -c '$command'"
-  die "${#missing[@]} packages are missing, and installing them requires administrator rights" \
+  fail "${#missing[@]} packages are missing, and installing them requires administrator rights" \
     "have an administrator run this command, then try again:" "$command"
 fi
 
@@ -288,40 +342,40 @@ run_apt() {
 explain() {
   said() { grep -qE "$1" "$log"; }
   if said 'Could not get lock|Unable to acquire'; then
-    die "apt's lock was not free within five minutes: $(grep -oE 'It is held by .*' "$log" | tail -n 1)" \
+    fail "apt's lock was not free within five minutes: $(grep -oE 'It is held by .*' "$log" | tail -n 1)" \
       "wait until that process has ended, then try again"
   elif said 'dpkg was interrupted'; then
-    die "an earlier installation of packages was interrupted" \
+    fail "an earlier installation of packages was interrupted" \
       "complete it, then try again: ${as_root[*]:+sudo }dpkg --configure -a"
   elif said 'fix-broken|Unmet dependencies|unmet dependencies|half-installed|very bad inconsistent state'; then
-    die "packages of this system are broken or only half installed (see $log)" \
+    fail "packages of this system are broken or only half installed (see $log)" \
       "repair them, then try again: ${as_root[*]:+sudo }apt-get --fix-broken install"
   elif said 'enough free space|No space left'; then
-    die "the disk is too full to install ${#chosen[@]} packages" "free some space, then try again"
+    fail "the disk is too full to install ${#chosen[@]} packages" "free some space, then try again"
   elif [[ $lists == partial ]] || said 'Failed to fetch|Could not resolve'; then
-    die "packages could not be fetched: $(grep -m 1 -E '^[EW]: ' "$log" | cut -c 4-)" \
+    fail "packages could not be fetched: $(grep -m 1 -E '^[EW]: ' "$log" | cut -c 4-)" \
       "check the network and the sources in /etc/apt, then try again"
   fi
   tail -n 15 "$log" >&2
-  die "apt-get could not install ${chosen[*]}" "its last lines are above, the full log is $log"
+  fail "apt-get could not install ${chosen[*]}" "its last lines are above, the full log is $log"
 }
 
 say "installing missing packages with apt-get, which takes a minute or two (log: $log)"
 lists=whole
-if [[ $1 == arm64 ]] && ! dpkg --print-foreign-architectures | grep -qx arm64; then
+if [[ " ${uses[*]} " == *" arm64 "* ]] && ! dpkg --print-foreign-architectures | grep -qx arm64; then
   "${as_root[@]}" dpkg --add-architecture arm64
 fi
 # An unreachable source may not matter for the missing packages: the installation decides.
 run_apt apt-get update --error-on=any || lists=partial
 choose
+((${#absent[@]} + ${#dropped[@]} == 0)) || [[ $lists == whole ]] || explain
 if ((${#absent[@]})); then
-  [[ $lists == whole ]] || explain
   printf -v names '%s, ' "${absent[@]}"
-  die "this release has no package for ${names%, }" \
+  fail "this release has no package for ${names%, }" \
     "on Ubuntu some are in 'universe', which the Components of its sources must include;" \
     "for copies from elsewhere see docs/platforms.md"
 fi
-for note in "${notes[@]}"; do say "$note"; done
+for note in "${notes[@]}" "${dropped[@]}"; do say "$note"; done
 say "packages: ${chosen[*]}"
 run_apt apt-get install --yes --no-install-recommends --no-remove "${chosen[@]}" || explain
 say "installed"

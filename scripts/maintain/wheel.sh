@@ -19,8 +19,8 @@ reason=$(reason_against_roots)
 [[ -z $reason ]] || die "wheel.sh: $reason" "start it as root, for example with sudo"
 git rev-parse --quiet --verify HEAD >/dev/null 2>&1 ||
   die "wheel.sh: this folder is not a git checkout" "clone the repository: the committed sources are built"
-scripts/maintain/setup.sh distros
-scripts/maintain/page.sh
+scripts/maintain/setup.sh distros page
+scripts/maintain/page.sh --template
 require_writable out/wheels
 
 # in_root ROOT USER COMMAND: runs the command in the installation; its output goes to ROOT.log.
