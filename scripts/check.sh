@@ -1,18 +1,29 @@
 #!/usr/bin/env bash
-# Runs every check of a change: both commands of README.md and the rendering tests with EGL only in a bare Debian 13, the
-# formatting of the sources, the tests of threads under ThreadSanitizer, the tests under
-# AddressSanitizer and UndefinedBehaviorSanitizer, the library built alone and used from outside, pages in a
-# browser, the reference pages, exported files read by other programs, the recipes of CONTRIBUTING.md followed
-# in a copy, the tests for uninitialised values under valgrind, and one minute of scripts/maintain/torture.sh.
+# check.sh [--all]: runs the checks of a change, which fail if it breaks something: the formatting of the sources, the
+# tests of the threads under ThreadSanitizer, all tests under AddressSanitizer and UndefinedBehaviorSanitizer, and, in a
+# bare Debian 13, both commands of README.md and the rendering tests with EGL only. The tests of Debian 13's release
+# build, among them those of the Python module and of the commands in the documents, are not repeated here.
 #
-# Debian 13 is installed and tested beside the other steps, and pages and recipes beside the last ones: together
-# they use the processors when one of them downloads, waits or has one thread. Their outputs are printed when
-# they end. The tests of Debian 13's release build, among them those of the Python module, are not repeated
-# here. Where no Debian 13 can be installed, scripts/test.sh and the tests with EGL run here instead.
+# With --all it also runs: the library built alone and used from outside, pages in two browsers, the reference pages,
+# exported files read by other programs, the recipes of CONTRIBUTING.md followed in a copy, the tests for uninitialised
+# values under valgrind, and one minute of scripts/maintain/torture.sh.
+#
+# Debian 13 is installed and tested beside the other steps, and pages and recipes beside the last ones: together they use
+# the processors when one of them downloads, waits or has one thread. Their outputs are printed when they end. Where no
+# Debian 13 can be installed, scripts/test.sh and the tests with EGL run here instead.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/maintain/common.sh
+all=''
+case ${1-} in
+  '') ;;
+  --all) all=yes ;;
+  *)
+    sed -n '/^# /s///p; /^set/q' "$0"
+    [[ $1 == --help ]] && exit 0 || exit 2
+    ;;
+esac
 
 # step TITLE COMMAND...: runs the command and prints its wall time and processor time.
 step() {
@@ -37,32 +48,18 @@ test_threads() {
   run_tests tsan --label-regex '^threads$'
 }
 
+# In one round, because only one process may install packages at a time.
 install_packages() {
-  local use
-  for use in check browser docs recipes coverage; do scripts/maintain/setup.sh "$use"; done
+  local purposes=(check)
+  [[ -z $all ]] || purposes+=(library browser docs recipes coverage node)
+  [[ -z $no_debian_13 || -n $all ]] || purposes+=(--if-possible page)
+  scripts/maintain/setup.sh "${purposes[@]}"
 }
 
-# Excludes the bodies of the matrix of commands that take the same paths as others, the tests of the numbers
-# in reports, which the transcripts also have, and the longest of the tests that repeat a computation with
-# other numbers: together half of the time.
+# Tests that take long there, and repeat what others do, skip themselves (tests/sanitizers.h).
 test_under_asan() {
-  local alike='calm|stable_y|stable_z|explain_nb|explain_short|t_handle|wing_nut|tennis_racket|phone|book|toutatis'
-  alike+='|dual_spin|t_handle_wheel|explorer_1'
-  local repeated='Verdict.IsRightOfRandomConventions:Alternatives.AxesOfTheBody'
-  repeated+=':Alternatives.UnitsOfTimesAndRates:Diagnosis.IsNotStoppedByAFan:Diagnosis.CountsItsWork'
-  repeated+=':Weld.RefusesVerticesThatAreAllCloseToEachOther:Polygon.OfVeryManyCornersIsFilledWithin'
-  repeated+=':Scenes/Task5.*:Study.SeesTheOrderOfEveryMethod:ContentsOfViews.AreTheGoldenNumbers'
-  repeated+=':Views.ShowTheWholeSatelliteInPicturesOfAnyShape:PageJson.KeepsThePageSmall:LayOver.RoundsToTheNearest'
-  repeated+=':Themes/Steadiness.*:Themes/Light.*:All/GoldenZoo.IsDrawn/explorer1:All/GoldenZoo.IsDrawn/thandle'
-  repeated+=':All/GoldenZoo.IsDrawn/tennisracket:All/GoldenZoo.IsDrawn/wingnut'
-  repeated+=$(printf ':All/LayoutOf.*/%d' {1..6})
-  # Tests that are registered one by one have their own filter.
-  local one_by_one="^Scales/RandomBody|^All/BuiltInScene.*/($alike) |^Report(OfTasks)?[.]"
-  one_by_one+='|^Commands/GoldenText.*/report |^Interior.AWheelOfAnySpeed|^Page.WritesAllBuiltInScenes'
-  one_by_one+='|^Page.SaysThatItDrawsALargeMesh|^BuiltInStory.HasCaptionsInAnotherLanguage|^Quality.(IsWorse|OfEachEffort)'
-  one_by_one+='|^OverlayRecipe|^Interior.(IsShownInPages|StudyNamesItsReference)|--size 16384x16384 --samples 64'
   "${launcher[@]}" scripts/maintain/build.sh --tests asan
-  GTEST_FILTER="*-$repeated" run_tests asan --exclude-regex "$one_by_one"
+  run_tests asan
 }
 
 declare -A beside  # process of each step that runs beside the others
@@ -96,26 +93,28 @@ fi
 # In a subshell, because scripts/maintain/chroot.sh also handles signals.
 no_debian_13=$(source scripts/maintain/chroot.sh && reason_against_roots)
 
-# All packages, because only one process may install some at a time.
 step "The packages for the other checks" install_packages
 if [[ $no_debian_13 ]]; then
   say "no Debian 13: $no_debian_13"
   step "All tests of the release build" test_release
 else
-  start_beside debian-13 "Both commands of README.md, and the tests with EGL only, in a bare Debian 13" scripts/maintain/distros.sh --tests trixie
+  start_beside debian-13 "Both commands of README.md, and the tests with EGL only, in a bare Debian 13" \
+    scripts/maintain/distros.sh --tests trixie
 fi
 step "The layout of the sources" scripts/maintain/lint.sh format
 step "The tests of the threads, under ThreadSanitizer" test_threads
 step "The tests, under AddressSanitizer and UndefinedBehaviorSanitizer" test_under_asan
-start_beside pages "Pages, in a browser" scripts/maintain/page_test.sh  # which mostly waits
-start_beside recipes "The recipes of CONTRIBUTING.md, followed in a copy" scripts/maintain/recipes.sh
-step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
-  scripts/maintain/library.sh --quick
-finish_beside pages  # which also builds the release
-step "The reference pages; warnings are errors" scripts/maintain/docs.sh
-step "Exported files, read by other programs" scripts/maintain/interchange.sh
-step "The core's tests for uninitialised values, under valgrind" scripts/maintain/valgrind.sh --quick
-step "Random scenes, motions and command lines, and injected faults: one minute" \
-  scripts/maintain/torture.sh 1 2020
-finish_beside recipes
+if [[ $all ]]; then
+  start_beside pages "Pages, in browsers" scripts/maintain/page_test.sh  # which mostly waits
+  start_beside recipes "The recipes of CONTRIBUTING.md, followed in a copy" scripts/maintain/recipes.sh
+  step "The library of the dynamics: alone, installed, and used from outside, static and shared" \
+    scripts/maintain/library.sh --quick
+  finish_beside pages  # which also builds the release
+  step "The reference pages; warnings are errors" scripts/maintain/docs.sh
+  step "Exported files, read by other programs" scripts/maintain/interchange.sh
+  step "The core's tests for uninitialised values, under valgrind" scripts/maintain/valgrind.sh --quick
+  step "Random scenes, motions and command lines, and injected faults: one minute" \
+    scripts/maintain/torture.sh 1 2020
+  finish_beside recipes
+fi
 [[ $no_debian_13 ]] || finish_beside debian-13

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/twrench.h"
+#include "sanitizers.h"
 
 namespace twrench {
 namespace {
@@ -126,6 +127,9 @@ std::string difference(const std::string& expected, const std::string& actual) {
 class GoldenText : public testing::TestWithParam<const char*> {};
 
 TEST_P(GoldenText, IsPrinted) {
+  if (has_sanitizers && std::string(GetParam()) == "report") {
+    GTEST_SKIP() << "computes numbers that the other transcripts have";
+  }
   const fs::path file = text_folder() / (std::string(GetParam()) + ".txt");
   const std::vector<Step> steps = steps_of(text_of(file));
   ASSERT_FALSE(steps.empty()) << file;

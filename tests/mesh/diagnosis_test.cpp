@@ -15,6 +15,7 @@
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
 #include "mesh/topology.h"
+#include "sanitizers.h"
 
 namespace twrench::mesh {
 namespace {
@@ -180,6 +181,7 @@ TEST(Diagnosis, OfASurfaceThatEnclosesNothing) {
 
 // Needles that all cross a ball, so that each is close to nearly all others.
 TEST(Diagnosis, CountsItsWork) {
+  if (has_sanitizers) GTEST_SKIP() << "takes long for large meshes";
   std::mt19937 random(1);
   const auto point = [&] {
     const auto part = [&] { return static_cast<double>(random()) * 0x1p-32 - 0.5; };
@@ -204,6 +206,7 @@ TEST(Diagnosis, CountsItsWork) {
 }
 
 TEST(Diagnosis, IsNotStoppedByAFan) {
+  if (has_sanitizers) GTEST_SKIP() << "takes long for large meshes";
   EXPECT_THAT(read(cylinder(25'000)).notes, IsEmpty()) << "all in one plane";
   TriangleMesh oblique = cylinder(400);
   for (Vector3d& v : oblique.vertices) v.z() += v.x() / 3 + v.y() / 7;

@@ -13,6 +13,7 @@
 #include "motion/every_method.h"
 #include "motion/reference.h"
 #include "motion/scheme.h"
+#include "sanitizers.h"
 
 namespace twrench::motion {
 namespace {
@@ -50,6 +51,7 @@ class Task5 : public testing::TestWithParam<const char*> {};
 
 // Task 5: with a small enough step, the error stays below 1e-6 at every reference time up to 100 s.
 TEST_P(Task5, ReachesTheReference) {
+  if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
   const ReferenceCase c = reference_case(GetParam());
   for (const char* name : {"midpoint", "trapezoid", "rk4", "rkf45"}) {
     Method method = find_method(name);
@@ -66,6 +68,7 @@ TEST_P(Task5, ReachesTheReference) {
 // represent. Both rows omit the same commutator, (h^3/12) omega x omega', so E does not include it
 // and the steps become too long.
 TEST_P(Task5, ThePrintedPairCannotBeTrustedWithItsOwnStep) {
+  if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
   const ReferenceCase c = reference_case(GetParam());
   const StepControl control{.tolerance = 1e-15};
   const double error =
@@ -76,6 +79,7 @@ TEST_P(Task5, ThePrintedPairCannotBeTrustedWithItsOwnStep) {
 
 // "A step length so small that the energy does not change noticeably."
 TEST_P(Task5, KeepsTheEnergy) {
+  if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
   const ReferenceCase c = reference_case(GetParam());
   std::vector<double> times;
   for (int i = 0; i <= 1000; ++i) times.push_back(0.1 * i);

@@ -7,6 +7,7 @@
 
 #include "base/enumeration.h"
 #include "picture/t_wrench.h"
+#include "sanitizers.h"
 
 namespace twrench::picture {
 namespace {
@@ -108,6 +109,13 @@ std::string text(const scene::Scene& scene) {
 
 class LayoutOf : public testing::TestWithParam<std::pair<scene::View, int>> {
  protected:
+  void SetUp() override {
+    const auto [view, compared] = GetParam();
+    if (has_sanitizers && (view != scene::View::wrench || compared % 4 != 0)) {
+      GTEST_SKIP() << "is laid out as one body and four are";
+    }
+  }
+
   static void check_each(const std::function<void(const scene::Scene&, const Layout&)>& check) {
     for_each_layout(GetParam().first, GetParam().second, check);
   }
