@@ -56,7 +56,7 @@ install_packages() {
   scripts/maintain/setup.sh "${purposes[@]}"
 }
 
-# Tests that take long there, and repeat what others do, skip themselves (tests/sanitizers.h).
+# Long tests that repeat other tests skip themselves (tests/sanitizers.h).
 test_under_asan() {
   "${launcher[@]}" scripts/maintain/build.sh --tests asan
   run_tests asan

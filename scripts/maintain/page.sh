@@ -186,7 +186,7 @@ case $mode in
   --check) scripts/maintain/setup.sh page node ;;
   *) scripts/maintain/setup.sh render page ;;
 esac
-require_writable build/page
+{ core_is_current && template_is_current; } || require_writable build/page
 [[ $mode != --check ]] || check_types
 [[ $mode != --serve ]] || serve "${@:2}"
 build_core

@@ -3,7 +3,7 @@
 # archive of the sources, Debian's packages, and SHA256SUMS. Then it prints the remaining steps.
 #
 # It requires a clean checkout in which CITATION.cff and CHANGELOG.md have the version and the date of
-# CMakeLists.txt, and it runs scripts/check.sh first, unless --no-checks is given. Archive and packages
+# CMakeLists.txt, and it runs scripts/check.sh --all first, unless --no-checks is given. Archive and packages
 # are reproducible: the same commit gives the same bytes on the same release of Debian.
 set -euo pipefail
 
@@ -32,7 +32,7 @@ grep -qx "version: $version" CITATION.cff && grep -qx "date-released: $date" CIT
 ! git rev-parse --quiet --verify "refs/tags/v$version" >/dev/null ||
   die "the tag v$version exists" "increase the version in CMakeLists.txt"
 
-[[ -z $checks ]] || scripts/check.sh
+[[ -z $checks ]] || scripts/check.sh --all
 
 release=out/release
 rm -rf "$release"

@@ -70,7 +70,7 @@ Drawn draw(const std::string& options) {
 }
 
 TEST(OverlayRecipe, IsTrueOfEachOverlay) {
-  if (has_sanitizers) GTEST_SKIP() << "draws what others draw";
+  if (has_sanitizers) GTEST_SKIP() << "draws the same as other tests";
   const std::vector<std::string> names = names_offered_for("--show");
   ASSERT_GT(names.size(), 5U);
   expect_told("--show", names);

@@ -161,7 +161,7 @@ TEST_F(Story, AMistakeNamesShotAndLine) {
 }
 
 TEST(BuiltInStory, HasCaptionsInAnotherLanguage) {
-  if (has_sanitizers) GTEST_SKIP() << "draws what others draw";
+  if (has_sanitizers) GTEST_SKIP() << "draws the same as other tests";
   const ScratchFolder folder;
   const std::string command =
       "render explain --size 64x36 --frames 130-131 --progress none --language ";

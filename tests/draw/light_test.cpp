@@ -93,7 +93,7 @@ double visible_share(const image::Image& picture, const image::Image& cutout) {
 class Light : public testing::TestWithParam<scene::Theme> {};
 
 TEST_P(Light, SeparatesTheOutlineFromTheBackgroundAndClipsNoHighlight) {
-  if (has_sanitizers) GTEST_SKIP() << "draws what others draw";
+  if (has_sanitizers) GTEST_SKIP() << "draws the same as other tests";
   const std::vector<image::Image> pictures = film(GetParam(), false);
   const std::vector<image::Image> cutouts = film(GetParam(), true);
   for (std::size_t i = 0; i < pictures.size(); ++i) {

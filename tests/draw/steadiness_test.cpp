@@ -77,7 +77,7 @@ int sparks(const std::vector<image::Image>& images) {
 class Steadiness : public testing::TestWithParam<scene::Theme> {};
 
 TEST_P(Steadiness, OfTheLightOnABodyThatTurnsSlowly) {
-  if (has_sanitizers) GTEST_SKIP() << "draws what others draw";
+  if (has_sanitizers) GTEST_SKIP() << "draws the same as other tests";
   const std::unique_ptr<gl::Context> context = gl::make_test_context();
   for (const Vector3d& start : {Vector3d(0.3, 0.2, 0.1), Vector3d(1.2, -0.7, 0.4)}) {
     for (const Vector3d& axis : {Vector3d(0, 0, 1), Vector3d(0.6, 0.8, 0)}) {

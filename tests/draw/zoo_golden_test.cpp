@@ -40,7 +40,7 @@ class GoldenZoo : public testing::TestWithParam<ZooGolden> {};
 
 TEST_P(GoldenZoo, IsDrawn) {
   const ZooGolden& golden = GetParam();
-  if (has_sanitizers && golden.is_like_others) GTEST_SKIP() << "draws what others draw";
+  if (has_sanitizers && golden.is_like_others) GTEST_SKIP() << "draws the same as other tests";
   const scene::Scene film = small_and_mute(golden.name);
   const timeline::FilmTimeline timeline(film, {golden.frame});
   const auto context = gl::make_test_context();
