@@ -173,10 +173,14 @@ remove_old() {
   ! { core_is_current && template_is_current; } || return 0
   require_writable build/page
   rm "$out/page.html"
-  say "note: the page is older than its sources, so this build leaves it out; scripts/maintain/page.sh adds it"
+  say "note: the page is older than its sources, so the program is built without it; scripts/maintain/page.sh adds it"
 }
 
-if [[ $mode == --current ]] || { [[ $mode == --if-possible ]] && ! is_possible; }; then
+if [[ $mode == --current ]]; then
+  remove_old
+  exit 0
+elif [[ $mode == --if-possible ]] && ! is_possible; then
+  [[ -e $out/page.html ]] || say "note: the program is built without its page; scripts/maintain/page.sh adds it"
   remove_old
   exit 0
 fi

@@ -376,6 +376,7 @@ if ((${#absent[@]})); then
     "for copies from elsewhere see docs/platforms.md"
 fi
 for note in "${notes[@]}" "${dropped[@]}"; do say "$note"; done
+((${#chosen[@]})) || exit 0
 say "packages: ${chosen[*]}"
 run_apt apt-get install --yes --no-install-recommends --no-remove "${chosen[@]}" || explain
 say "installed"
