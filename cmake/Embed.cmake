@@ -47,7 +47,7 @@ const std::map<std::string_view, std::string_view>& @name@() {
 ")
   # Not in a unity build, whose files do not depend on embedded files.
   set_source_files_properties(${dir}/${name}.cpp PROPERTIES
-    OBJECT_DEPENDS "${paths}" SKIP_UNITY_BUILD_INCLUSION ON)
+    OBJECT_DEPENDS "${paths}" SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   target_sources(${target} PRIVATE ${dir}/${name}.cpp)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()

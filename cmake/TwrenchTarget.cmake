@@ -6,7 +6,16 @@ add_library(twrench_options INTERFACE)
 # Without contraction of a*b + c, results are bit-identical on processors with and without fused multiply-add, and do
 # not depend on where the compiler would use that instruction.
 target_compile_options(twrench_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
+  -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off)
+# Where the sources of a room are compiled as one, local names would also shadow the constants of other sources.
+if(NOT CMAKE_UNITY_BUILD)
+  target_compile_options(twrench_options INTERFACE -Wshadow)
+endif()
+# GCC's garbage collector takes a tenth of the compile time. It begins only at this size of the heap, in kB, which few
+# sources reach.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  target_compile_options(twrench_options INTERFACE "SHELL:--param ggc-min-heapsize=1500000")
+endif()
 target_include_directories(twrench_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 # The standard library checks indexes and empty optionals in debug builds, among them those of the sanitizers.
 target_compile_definitions(twrench_options INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
@@ -30,31 +39,22 @@ if(TWRENCH_SANITIZE)
   target_link_options(twrench_options INTERFACE -fsanitize=${TWRENCH_SANITIZE})
 endif()
 
-# Compiled sixteen at a time (CMAKE_UNITY_BUILD, in the presets), the sources of a target take a third of the time:
-# templates are instantiated once. Helpers of a target therefore need distinct names. Large headers take half of the
-# remaining compile time, so they are precompiled. Each source still includes what it uses
-# (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+# Large headers that most sources include are precompiled. Each source still includes what it uses
+# (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON). nlohmann-json is not among them: its literals compile a parser in every source.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
-if(TWRENCH_RENDER)
-  add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
-  target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen nlohmann_json::nlohmann_json)
-  set_target_properties(twrench_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_precompile_headers(twrench_headers PRIVATE <Eigen/Dense> <filesystem> <functional> <map> <memory>
-    <nlohmann/json.hpp> <optional> <span> <string> <vector>)
-endif()
+add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
+target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen)
+set_target_properties(twrench_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_precompile_headers(twrench_headers PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <filesystem> <functional>
+  <map> <memory> <optional> <ranges> <span> <string> <variant> <vector>)
 
-# twrench_library(NAME SOURCES ... LINKS ... [HEADERS ...]): creates the static library twrench_NAME.
-# HEADERS are precompiled for it instead of those above.
+# twrench_library(NAME SOURCES ... LINKS ...): creates the static library twrench_NAME.
 function(twrench_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_library(twrench_${name} STATIC ${ARG_SOURCES})
   # The Python module is a shared library that contains all of them.
   set_target_properties(twrench_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:twrench_options>)
-  if(ARG_HEADERS)
-    target_precompile_headers(twrench_${name} PRIVATE ${ARG_HEADERS})
-  else()
-    target_precompile_headers(twrench_${name} REUSE_FROM twrench_headers)
-  endif()
+  target_precompile_headers(twrench_${name} REUSE_FROM twrench_headers)
 endfunction()

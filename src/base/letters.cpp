@@ -1,5 +1,8 @@
 #include "base/letters.h"
 
+#include <iterator>
+#include <sstream>
+
 namespace twrench {
 
 std::string to_lower(std::string_view text) {
@@ -8,6 +11,11 @@ std::string to_lower(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return small;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 }  // namespace twrench

@@ -1,5 +1,7 @@
 #include "cases/case_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "base/enumeration.h"
 #include "cases/solution.h"
 

@@ -10,6 +10,7 @@
 
 #include "interchange/surface.h"
 #include "interchange/track.h"
+#include "math/rotation_between.h"
 #include "picture/body/bounding_radius.h"
 #include "picture/body/gap_closing.h"
 #include "picture/compose/camera_path.h"
@@ -247,7 +248,7 @@ std::size_t SceneWriter::add_camera() {
   const double height = std::atan((1 + p(1, 2)) / p(1, 1)) + std::atan((1 - p(1, 2)) / p(1, 1));
   const Quaterniond space_from_camera(camera.camera_from_space().transpose());
   const Quaterniond turn =
-      space_from_camera * Quaterniond::FromTwoVectors(-Vector3d::UnitZ(), ahead);
+      space_from_camera * so3::rotation_between(-Vector3d::UnitZ(), ahead);
   const Vector3d eye = metres_per_cm * camera.distance * (space_from_camera * Vector3d::UnitZ());
   const std::size_t index =
       gltf_.add("cameras", {{"name", "camera"},

@@ -3,6 +3,7 @@
 #include <twrench/body/shape.h>
 
 #include "interchange/key_times.h"
+#include "math/rotation_between.h"
 
 namespace twrench::interchange {
 namespace {
@@ -42,7 +43,7 @@ Track omega_track(const PlayedMotion& motion, double end, double max_angle) {
     const motion::Sample sample = motion.at(time);
     const double rate = sample.omega.stableNorm();
     const Vector3d direction = sample.X * (sample.omega / rate);
-    q = (Quaterniond::FromTwoVectors(q * Vector3d::UnitZ(), direction) * q).normalized();
+    q = (so3::rotation_between(q * Vector3d::UnitZ(), direction) * q).normalized();
     append_rotation(track, q);
     track.lengths.push_back(static_cast<float>(rate / initial.stableNorm()));
   }

@@ -19,19 +19,19 @@ namespace {
 using body::TriangleMesh;
 using Eigen::Vector3d;
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t empty_slot = std::numeric_limits<std::uint32_t>::max();
 
 /// A hash table of the indices of points. At most half of its slots are used.
 class PointTable {
  public:
-  /// Returns the first index with this hash that `is_it` accepts, or `none`. `is_it` is also called
+  /// Returns the first index with this hash that `is_it` accepts, or `empty_slot`. `is_it` is also called
   /// for neighbours in the table with other hashes.
   template <typename Predicate>
   std::uint32_t find(std::uint64_t hash, Predicate is_it) const {
-    for (std::size_t at = slot(hash); slots_[at] != none; at = (at + 1) & (slots_.size() - 1)) {
+    for (std::size_t at = slot(hash); slots_[at] != empty_slot; at = (at + 1) & (slots_.size() - 1)) {
       if (is_it(slots_[at])) return slots_[at];
     }
-    return none;
+    return empty_slot;
   }
 
   /// Adds an index; `hash_of` returns the hash of any index.
@@ -47,22 +47,22 @@ class PointTable {
 
   void place(std::uint32_t index, std::uint64_t hash) {
     std::size_t at = slot(hash);
-    while (slots_[at] != none) at = (at + 1) & (slots_.size() - 1);
+    while (slots_[at] != empty_slot) at = (at + 1) & (slots_.size() - 1);
     slots_[at] = index;
   }
 
   template <typename Hash>
   void grow(Hash hash_of) {
     const std::vector<std::uint32_t> old = std::move(slots_);
-    slots_.assign(std::size_t{1} << ++bits_, none);
+    slots_.assign(std::size_t{1} << ++bits_, empty_slot);
     for (const std::uint32_t index : old) {
-      if (index != none) place(index, hash_of(index));
+      if (index != empty_slot) place(index, hash_of(index));
     }
   }
 
   unsigned bits_ = 10;
   std::size_t count_ = 0;
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(std::size_t{1} << bits_, none);
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(std::size_t{1} << bits_, empty_slot);
 };
 
 std::uint64_t hash_of(const Vector3d& point) {
@@ -79,13 +79,13 @@ std::uint64_t hash_of(const Vector3d& point) {
 void join_equal(TriangleMesh& mesh) {
   PointTable table;
   TriangleMesh joined;
-  std::vector<std::uint32_t> index_of(mesh.vertices.size(), none);
+  std::vector<std::uint32_t> index_of(mesh.vertices.size(), empty_slot);
   const auto hash = [&](std::uint32_t index) { return hash_of(joined.vertices[index]); };
   const auto index_for = [&](std::uint32_t old) {
     const Vector3d& point = mesh.vertices[old];
     const std::uint32_t found = table.find(
         hash_of(point), [&](std::uint32_t index) { return joined.vertices[index] == point; });
-    if (found != none) return found;
+    if (found != empty_slot) return found;
     const auto added = static_cast<std::uint32_t>(joined.vertices.size());
     joined.vertices.push_back(point);
     if (!mesh.colors.empty()) joined.colors.push_back(mesh.colors[old]);
@@ -95,7 +95,7 @@ void join_equal(TriangleMesh& mesh) {
   for (auto& triangle : mesh.triangles) {
     for (std::uint32_t& corner : triangle) {
       std::uint32_t& index = index_of[corner];
-      if (index == none) index = index_for(corner);
+      if (index == empty_slot) index = index_for(corner);
       corner = index;
     }
   }

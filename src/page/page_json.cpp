@@ -1,5 +1,6 @@
 #include "page/page_json.h"
 
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "base/enumeration.h"

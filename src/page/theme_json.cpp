@@ -1,5 +1,6 @@
 #include "page/theme_json.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 

@@ -2,6 +2,8 @@
 
 #include <twrench/math/so3.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/enumeration.h"
 #include "body/dimensions.h"
 #include "scene/fields.h"

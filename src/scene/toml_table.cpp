@@ -4,6 +4,7 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/nearest.h"
 #include "scene/fields.h"

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/letters.h"
 #include "system/file.h"
 #include "system/program.h"
 #include "video/error.h"
@@ -176,9 +177,9 @@ void VideoEncoder::finish() {
 
 void VideoEncoder::draw_in_palette() {
   start(joined({{"ffmpeg"},
-                words(quiet_options),
+                words_of(quiet_options),
                 passes_->second(),
-                words(codec_arguments(format_)),
+                words_of(codec_arguments(format_)),
                 {output_argument(file_)}}));
   constexpr std::int64_t slow_machine = 500;  // pixels per millisecond
   const std::int64_t pixels = frames_ / step_ * format_.shown_width() * format_.shown_height();

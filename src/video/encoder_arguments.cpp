@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/letters.h"
 #include "video/animated_image.h"
 #include "video/error.h"
 
@@ -73,11 +74,6 @@ void require_kept_alpha(const VideoFormat& format) {
 
 }  // namespace
 
-Arguments words(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
-}
-
 Arguments joined(std::initializer_list<Arguments> groups) {
   Arguments all;
   for (const Arguments& group : groups) {
@@ -93,16 +89,17 @@ Arguments input_arguments(const VideoFormat& format) {
   // frames to the video, whatever the output options say.
   const std::string frame_tags =
       format.is_rgb() ? "" : fmt::format("{} -chroma_sample_location left", bt709_tags);
-  return words(
+  return words_of(
       fmt::format("{} -f rawvideo -pix_fmt {} -video_size {}x{} -framerate {} {} -i pipe:0",
                   quiet_options, pixel_format(format), format.width, format.height,
                   rational(format.fps / format.frame_step()), frame_tags));
 }
 
 Arguments output_arguments(const VideoFormat& format) {
-  return joined({is_animated_image(format.container) ? animation_filters(format)
-                                                     : words(format.transparent ? conversion : ""),
-                 words(codec_arguments(format))});
+  return joined({is_animated_image(format.container)
+                     ? animation_filters(format)
+                     : words_of(format.transparent ? conversion : ""),
+                 words_of(codec_arguments(format))});
 }
 
 Arguments encoder_arguments(const VideoFormat& format) {

@@ -14,9 +14,6 @@ using Arguments = std::vector<std::string>;
 /// Options that make ffmpeg print only errors, stop at the first one, and never prompt.
 inline constexpr const char* quiet_options = "-hide_banner -loglevel error -xerror -y";
 
-/// Splits a text at its spaces.
-Arguments words(const std::string& text);
-
 /// Returns the arguments of several groups, in order.
 Arguments joined(std::initializer_list<Arguments> groups);
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/letters.h"
 #include "system/program.h"
 #include "video/encoder_arguments.h"
 #include "video/error.h"
@@ -64,17 +65,17 @@ std::string filter_graph(const SoundMix& mix) {
 }
 
 Arguments command_of(const SoundMix& mix, const SoundCodec& codec, const std::string& output) {
-  Arguments command = joined({{"ffmpeg"}, words(quiet_options)});
+  Arguments command = joined({{"ffmpeg"}, words_of(quiet_options)});
   for (const PlacedSound& sound : mix.files) {
     command.insert(command.end(),
                    {"-vn", "-sn", "-dn", "-t", fmt::format("{:.6f}", mix.film_length - sound.start),
                     "-i", "file:" + sound.file.string()});
   }
-  const Arguments motion = words(fmt::format("-f f32le -ar {} -ac 2 -i pipe:0", sample_rate));
+  const Arguments motion = words_of(fmt::format("-f f32le -ar {} -ac 2 -i pipe:0", sample_rate));
   return joined({command,
                  mix.motion ? motion : Arguments{},
                  {"-filter_complex", filter_graph(mix), "-map", "[mix]", "-map_metadata", "-1"},
-                 words(codec.options),
+                 words_of(codec.options),
                  {output}});
 }
 

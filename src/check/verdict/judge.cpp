@@ -15,6 +15,7 @@
 #include "check/verdict/frame.h"
 #include "check/verdict/stop.h"
 #include "check/verdict/unit_change.h"
+#include "math/rotation_between.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -129,7 +130,7 @@ void turn_to_momentum(Reference& reference, const Recording& recording,
   const Vector3d mean = mean_momentum(recording, reference, stop);
   const Vector3d L = reference.frame * reference.body.momentum();
   if (mean.norm() > 0 && L.norm() > 0)
-    reference.frame = rotation_between(L, mean) * reference.frame;
+    reference.frame = so3::rotation_between(L, mean).toRotationMatrix() * reference.frame;
 }
 
 /// The unit to which numbers were rounded, given the standard deviation of their errors, which are

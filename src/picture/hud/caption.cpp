@@ -4,8 +4,8 @@
 #include <twrench/base/error.h>
 
 #include <limits>
-#include <sstream>
 
+#include "base/letters.h"
 #include "canvas/canvas.h"
 #include "canvas/typesetting.h"
 
@@ -14,13 +14,6 @@ namespace {
 
 constexpr double halo = 0.14;  // em
 constexpr double halo_strength = 0.8;
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
 
 /// Returns the cost of ending a line with that word, on the scale of a line's squared share of the
 /// total width.

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include "base/letters.h"
 
 namespace twrench::picture {
 namespace {
@@ -19,13 +20,6 @@ constexpr double panel_margin = 0.4;  // em of the caption, around the text
 
 double width_of(const std::string& text, const canvas::Font& font, double size) {
   return size * canvas::typeset(font, text).width;
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream stream(text);
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
 }
 
 std::string joined(const std::vector<std::string>& words, std::size_t first, std::size_t last) {

@@ -1,22 +1,15 @@
 #include "picture/space/screen_area.h"
 
 #include <algorithm>
-#include <boost/geometry/algorithms/convex_hull.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/ring.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <ranges>
+#include <utility>
 
 namespace twrench::picture {
 namespace {
-
-namespace geometry = boost::geometry;
-
-using Point = geometry::model::d2::point_xy<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -24,19 +17,20 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_gap = 32;
 
 /// Columns from low to high; empty if reversed.
-struct Span {
+struct ColumnSpan {
   double low = infinity, high = -infinity;
 
-  void add(const Span& other) {
+  void add(const ColumnSpan& other) {
     low = std::min(low, other.low);
     high = std::max(high, other.high);
   }
 };
 
 /// The extent of the segment from `a` to `b` between the heights `top` and `bottom`.
-Span span_between(const Point& a, const Point& b, double top, double bottom) {
+ColumnSpan span_between(const Eigen::Array2d& a, const Eigen::Array2d& b, double top,
+                        double bottom) {
   if (std::max(a.y(), b.y()) < top || std::min(a.y(), b.y()) > bottom) return {};
-  const auto at = [&](const Point& end) {
+  const auto at = [&](const Eigen::Array2d& end) {
     const double y = std::clamp(end.y(), top, bottom);
     return y == end.y() ? end.x() : a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
   };
@@ -80,20 +74,36 @@ std::vector<Eigen::Array2d> outer_points(const std::vector<Eigen::Array2d>& poin
   return result;
 }
 
-/// The corners of the convex hull of `points` in order; the first is repeated at the end.
-geometry::model::ring<Point> hull(const std::vector<Eigen::Array2d>& points) {
-  geometry::model::multi_point<Point> corners;
-  for (const auto& point : outer_points(points)) corners.emplace_back(point.x(), point.y());
-  geometry::model::ring<Point> result;
-  geometry::convex_hull(corners, result);
+/// The corners of the convex hull of `points` in order; the first and the last point are repeated
+/// (Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979). Boost's takes
+/// as long to compile as ten other sources.
+std::vector<Eigen::Array2d> hull(const std::vector<Eigen::Array2d>& points) {
+  std::vector<Eigen::Array2d> sorted = outer_points(points);
+  std::ranges::sort(sorted, {}, [](const Eigen::Array2d& p) { return std::pair(p.x(), p.y()); });
+  std::vector<Eigen::Array2d> result;
+  // Adds the half of the hull from the first to the last point, which turns one way only.
+  const auto add_half = [&result](const auto& half) {
+    const std::size_t start = result.size();
+    for (const Eigen::Array2d& point : half) {
+      const auto last_turns_back = [&] {
+        const Eigen::Array2d edge = result.back() - result[result.size() - 2];
+        const Eigen::Array2d next = point - result.back();
+        return edge.x() * next.y() >= edge.y() * next.x();
+      };
+      while (result.size() >= start + 2 && last_turns_back()) result.pop_back();
+      result.push_back(point);
+    }
+  };
+  add_half(sorted);
+  add_half(sorted | std::views::reverse);
   return result;
 }
 
 /// Merges spans that overlap or are close, from left to right.
-std::vector<Span> joined(std::vector<Span> spans) {
-  std::ranges::sort(spans, {}, &Span::low);
-  std::vector<Span> result;
-  for (const Span& span : spans) {
+std::vector<ColumnSpan> merged(std::vector<ColumnSpan> spans) {
+  std::ranges::sort(spans, {}, &ColumnSpan::low);
+  std::vector<ColumnSpan> result;
+  for (const ColumnSpan& span : spans) {
     if (result.empty() || span.low > result.back().high + least_gap) {
       result.push_back(span);
     } else {
@@ -148,18 +158,18 @@ std::vector<image::Area> ScreenArea::bands(int height) const {
   if (all_) return {pane_};
   const int first = pane_.y / height;
   const int count = (pane_.y + pane_.height - 1) / height - first + 1;
-  std::vector<std::vector<Span>> spans(static_cast<std::size_t>(count));
+  std::vector<std::vector<ColumnSpan>> spans(static_cast<std::size_t>(count));
   for (const auto& [points, margin] : shapes_) {
     const auto corners = hull(points);
     if (corners.empty()) continue;
     const auto [low, high] =
-        std::ranges::minmax_element(corners, {}, [](const Point& p) { return p.y(); });
+        std::ranges::minmax_element(corners, {}, [](const Eigen::Array2d& p) { return p.y(); });
     const auto band_of = [&](double y) {
       return static_cast<int>(std::clamp(std::floor(y / height) - first, 0.0, count - 1.0));
     };
     for (int band = band_of(low->y() - margin); band <= band_of(high->y() + margin); ++band) {
       const double top = (first + band) * height - margin;
-      Span span;
+      ColumnSpan span;
       for (std::size_t i = 1; i < corners.size(); ++i) {
         span.add(span_between(corners[i - 1], corners[i], top, top + height + 2 * margin));
       }
@@ -170,7 +180,7 @@ std::vector<image::Area> ScreenArea::bands(int height) const {
   std::vector<image::Area> areas;
   for (int band = 0; band < count; ++band) {
     const double top = (first + band) * height;
-    for (const Span& span : joined(std::move(spans[static_cast<std::size_t>(band)]))) {
+    for (const ColumnSpan& span : merged(std::move(spans[static_cast<std::size_t>(band)]))) {
       if (span.high < pane_.x || span.low > pane_.x + pane_.width) continue;
       areas.push_back(pixels_between({span.low, top}, {span.high, top + height}));
     }
