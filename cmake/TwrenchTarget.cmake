@@ -42,19 +42,33 @@ endif()
 # Large headers that most sources include are precompiled. Each source still includes what it uses
 # (-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON). nlohmann-json is not among them: its literals compile a parser in every source.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
-add_library(twrench_headers OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
-target_link_libraries(twrench_headers PRIVATE twrench_options Eigen3::Eigen)
-set_target_properties(twrench_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
-target_precompile_headers(twrench_headers PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <filesystem> <functional>
-  <map> <memory> <optional> <ranges> <span> <string> <variant> <vector>)
+function(twrench_precompiled name)
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/headers.cpp)
+  target_link_libraries(${name} PRIVATE twrench_options Eigen3::Eigen)
+  target_compile_options(${name} PRIVATE ${ARGN})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_precompile_headers(${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <filesystem> <functional> <map>
+    <memory> <optional> <ranges> <span> <string> <variant> <vector>)
+endfunction()
+set(light $<$<CONFIG:Release>:-O1>)
+twrench_precompiled(twrench_headers)
+if(TWRENCH_RENDER)
+  twrench_precompiled(twrench_light_headers ${light})
+endif()
 
-# twrench_library(NAME SOURCES ... LINKS ...): creates the static library twrench_NAME.
+# twrench_library(NAME [LIGHT] SOURCES ... LINKS ...): creates the static library twrench_NAME. LIGHT is for rooms that
+# compute nothing for each frame, row or step: -O1 takes three quarters of the time that -O3 takes to compile them.
 function(twrench_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHT" "" "SOURCES;LINKS" ${ARGN})
   add_library(twrench_${name} STATIC ${ARG_SOURCES})
   # The Python module is a shared library that contains all of them.
   set_target_properties(twrench_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:twrench_options>)
-  target_precompile_headers(twrench_${name} REUSE_FROM twrench_headers)
+  if(ARG_LIGHT)
+    target_compile_options(twrench_${name} PRIVATE ${light})
+    target_precompile_headers(twrench_${name} REUSE_FROM twrench_light_headers)
+  else()
+    target_precompile_headers(twrench_${name} REUSE_FROM twrench_headers)
+  endif()
 endfunction()

@@ -3,12 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <sstream>
 
 #include "app/options/help.h"
 #include "app/options/option_group.h"
 #include "app/options/usage.h"
+#include "app/terminal/error_report.h"
 #include "app/terminal/version.h"
 #include "base/nearest.h"
+#include "system/output.h"
 
 namespace twrench::app {
 namespace {
@@ -23,6 +26,24 @@ constexpr const char* exit_codes =
     "  5         a file could not be read or written\n"
     "  70        internal error: a bug in twrench, or out of memory\n"
     "  130, 143  interrupted; all files written are complete";
+
+/// Returns whether the command that was given draws frames.
+bool draws(const CLI::App& app) {
+  return std::ranges::any_of(app.get_subcommands(), [](const CLI::App* command) {
+    return command->get_option_no_throw("--jobs") != nullptr;
+  });
+}
+
+/// Runs the given command, or prints the requested help or version.
+void parse(CLI::App& app, std::vector<std::string> words) try {
+  app.parse(std::move(words));
+} catch (const CLI::Success& request) {
+  std::ostringstream text;
+  app.exit(request, text, text);
+  system::write_output("-", text.str());
+} catch (const CLI::ParseError& error) {
+  throw usage_error(app, error);
+}
 
 }  // namespace
 
@@ -59,6 +80,19 @@ void require_known_command(const CLI::App& app, const std::string& word) {
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (word.starts_with("-") || std::ranges::find(names, word) != names.end()) return;
   throw unknown_name("command", word, names);
+}
+
+ExitCode run(int argc, char** argv) {
+  CLI::App app(about, "twrench");
+  ExitCode code = ExitCode::done;
+  try {
+    add_commands(app, code);
+    require_known_command(app, argc > 1 ? argv[1] : "-");
+    parse(app, words_for_parser(argc, argv));
+    return code;
+  } catch (...) {
+    return report_current_exception(draws(app));
+  }
 }
 
 }  // namespace twrench::app

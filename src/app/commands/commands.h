@@ -35,4 +35,8 @@ void add_commands(CLI::App& app, ExitCode& code);
 /// command.
 void require_known_command(const CLI::App& app, const std::string& word);
 
+/// Runs the command that the arguments give, reports its error if it fails, and returns the exit
+/// code.
+ExitCode run(int argc, char** argv);
+
 }  // namespace twrench::app
