@@ -223,8 +223,8 @@ TEST(Words, ABarInAFileHasNoEscapes) {
 TEST(Words, TimingDoesNotCountTheTimeBefore) {
   const ScratchFolder folder;
   const Outcome run =
-      run_shell(folder, "sh -c 'head -c 300000000 /dev/zero | sha256sum; exec \"$TWRENCH\" " +
-                            tiny + "--progress none --timing=json'");
+      run_shell(folder, "sh -c 'head -c 60000000 /dev/zero | sha256sum; exec \"$TWRENCH\" " + tiny +
+                            "--progress none --timing=json'");
   EXPECT_EQ(run.code, 0) << run.err;
   const json report = json::parse(run.err);
   EXPECT_EQ(report["cpu_ms_per_frame"]["children"], 0.0);
@@ -254,8 +254,6 @@ TEST(Words, ReportAMissingPermission) {
 
 TEST(Doctor, ReportsWhereNothingCanBeWritten) {
   const ScratchFolder folder;
-  EXPECT_THAT(run_twrench(folder, "doctor").out, HasSubstr(" free\n"));
-  EXPECT_EQ(folder.names().size(), 2U) << "the outputs of the run alone";
   system::write_file_atomically(folder / "out", "no folder");
   const Outcome run = run_twrench(folder, "doctor --format json");
   EXPECT_FALSE(json::parse(run.out)["can_render"].get<bool>());
