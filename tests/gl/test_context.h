@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gl/backend.h"
+#include "gl/error.h"
 
 namespace twrench::gl {
 
@@ -21,8 +22,12 @@ inline std::unique_ptr<Context> make_test_context() {
   if (backend != "osmesa" && !backend.empty()) {
     throw std::invalid_argument("TWRENCH_TEST_BACKEND is osmesa or egl");
   }
-  if (backend.empty() && backends().front().renderer.empty()) return make_egl_context("software");
-  return make_osmesa_context();
+  try {
+    return make_osmesa_context();
+  } catch (const GlError&) {
+    if (!backend.empty()) throw;
+    return make_egl_context("software");
+  }
 }
 
 }  // namespace twrench::gl
