@@ -26,9 +26,9 @@ using picture::BodyOverlay;
 using picture::bounding_radius;
 using picture::Camera;
 using picture::compute_layout;
-using picture::contrast;
 using picture::distance;
 using picture::Layout;
+using picture::luminance;
 using picture::OverlayColors;
 using picture::pixel_of;
 using picture::style_of;
@@ -65,14 +65,16 @@ image::Image composited(const image::Image& frame, const Color& ground) {
 
 /// Returns the highest contrast between a pixel and any other within `reach` px.
 double contrast_around(const image::Image& image, int x, int y, int reach) {
-  const Color here = color_at(image, x, y);
-  double most = 1;
+  double low = 1, high = 0;  // luminance
   for (int v = std::max(0, y - reach); v <= std::min(image.height - 1, y + reach); ++v) {
     for (int u = std::max(0, x - reach); u <= std::min(image.width - 1, x + reach); ++u) {
-      most = std::max(most, contrast(here, color_at(image, u, v)));
+      const double shown = luminance(color_at(image, u, v));
+      low = std::min(low, shown);
+      high = std::max(high, shown);
     }
   }
-  return most;
+  const double here = luminance(color_at(image, x, y));
+  return std::max((high + 0.05) / (here + 0.05), (here + 0.05) / (low + 0.05));
 }
 
 /// Returns the contrasts of the pixels in `area` that have the colour of an ink, up to a sixth of
