@@ -353,7 +353,9 @@ TEST_P(EncoderEffort, EncodesEachOutputFormat) {
       const std::string name = (alpha ? "alpha" : "film") + output.extension();
       EXPECT_EQ(container_of(name), output.container);
       VideoFormat of{format.width, format.height, 30, output.container, alpha};
-      if (output.has_quality(alpha)) of.quality.effort = GetParam();
+      const bool is_default = GetParam() == of.quality.effort;
+      if (!is_default && !output.has_quality(alpha)) continue;
+      of.quality.effort = GetParam();
       EXPECT_NO_THROW(require_encoder(of)) << name;
       VideoEncoder encoder(scratch / name, of, "twrench:1");
       image::Image image(of.width, of.height, alpha ? 4 : 3);
@@ -362,6 +364,7 @@ TEST_P(EncoderEffort, EncodesEachOutputFormat) {
         encoder.write(image);
       }
       EXPECT_NO_THROW(encoder.finish()) << name;
+      if (!is_default) continue;  // the identity does not depend on the effort
       EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1")) << name;
       EXPECT_THROW(require_replaceable(scratch / name, "twrench:2"), system::OverwriteError);
     }
