@@ -39,7 +39,7 @@ class QuaternionFile {
   template <typename Write>
   explicit QuaternionFile(const Write& write) {
     std::string text = "t,a,b,c,d,wx,wy,wz\n";
-    for (const Row& row : exact_rows(101, 0.15)) {
+    for (const Row& row : exact_rows(41, 0.375)) {
       const Written r = write(row);
       text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", r.t,
                           r.q[0], r.q[1], r.q[2], r.q[3], r.w[0], r.w[1], r.w[2]);
@@ -238,7 +238,7 @@ TEST(BetterReadings, BlameNoBodyForErrors) {
 TEST(Alternatives, DoNotContradictTheFile) {
   const ScratchFolder folder;
   std::string text = "t_ms,p_deg_s,q_deg_s,r_deg_s\n";
-  for (const Row& row : exact_rows(101, 0.15)) {
+  for (const Row& row : exact_rows(41, 0.375)) {
     text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", row.t, row.omega[0], row.omega[1],
                         row.omega[2]);
   }
