@@ -160,7 +160,7 @@ TEST(AnimatedImages, AreDrawnSmall) {
   const ScratchFolder folder;
   for (const std::string name : {"film.gif", "film.webp"}) {
     const Outcome run = run_twrench(
-        folder, "render --size 800x450 --frames 100-105 --bare --progress none -o " + name);
+        folder, "render --size 320x180 --frames 100-105 --bare --progress none -o " + name);
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_FALSE(fs::exists(folder / "out")) << "no frames unless asked for";
     EXPECT_EQ(run_twrench(folder, "render --frames 100-101 --bare --progress none -o " + name).code,
@@ -184,7 +184,8 @@ TEST(AnimatedImages, AreDrawnSmall) {
 
 TEST(AnimatedImages, AreScaledFromFrames) {
   const ScratchFolder folder;
-  const std::string frames = "render --size 1280x720 --frames 100-103 --bare --progress none ";
+  const std::string frames =
+      "render --size 1280x720 --samples 1 --frames 100-103 --bare --progress none ";
   ASSERT_EQ(run_twrench(folder, frames + "--no-video --frames-dir f").code, 0);
   ASSERT_EQ(run_twrench(folder, "encode f -o a.gif --progress none").code, 0);
   EXPECT_EQ(stream_in(folder, "a.gif"), "640,360,2\n");

@@ -200,7 +200,7 @@ void EveryCommand::exports() {
   expect(text_of("again.csv") == text_of("motion.csv"), "export and simulate differ");
   std::ofstream(folder_ / "template.html")
       << "{{title}} {{title}} <!-- twrench:poster --> <!-- twrench:scene -->";
-  done("page", subject_.words, "--template template.html -o page.html");
+  done("page", subject_.words, "--template template.html --size 160x90 -o page.html");
   expect_duration_of(text_of("page.html"));
 }
 

@@ -312,8 +312,8 @@ TEST(Interior, IsShownInPages) {
         std::pair("dual-spin", "\"wheel\":[40000000.0,0.0,0.0]"),
         std::pair("t-handle-wheel --wheel 1,0,0", "\"wheel\":[1.0,0.0,0.0]"),
         std::pair("shot.toml", "\"program\"")}) {
-    const Outcome run =
-        run_twrench(folder, std::string("page --template t.html -o p.html ") + words);
+    const Outcome run = run_twrench(
+        folder, std::string("page --template t.html --size 320x180 -o p.html ") + words);
     EXPECT_EQ(run.code, 0) << words << run.err;
     const std::string page = text_of(folder / "p.html");
     EXPECT_THAT(page, HasSubstr(value)) << words;

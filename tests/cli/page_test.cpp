@@ -86,7 +86,8 @@ TEST(Page, WritesAllBuiltInScenesAndTheirIndex) {
   if (has_sanitizers) GTEST_SKIP() << "writes more than the other pages";
   const ScratchFolder folder;
   write_template(folder);
-  const Outcome run = run_twrench(folder, "page --all --theme paper --template t.html -o a/site");
+  const Outcome run =
+      run_twrench(folder, "page --all --theme paper --size 160x90 --template t.html -o a/site");
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string index = text_of(folder / "a/site/index.html");
   std::size_t files = 0;

@@ -18,9 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Renders the first second of a scene in a small size.
-Outcome render(const ScratchFolder& folder, const std::string& rest) {
-  return run_twrench(folder, "render --size 160x90 --fps 25 --frames 0-24 --progress none " + rest);
+/// Renders a few frames of a scene in a small size.
+Outcome render(const ScratchFolder& folder, const std::string& rest,
+               const std::string& frames = "0-4") {
+  return run_twrench(
+      folder, "render --size 160x90 --fps 25 --progress none --frames " + frames + " " + rest);
 }
 
 json manifest_in(const fs::path& folder) { return json::parse(text_of(folder / "manifest.json")); }
@@ -47,13 +49,14 @@ TEST(Quality, OfEachEffortIsThatOfTheDefault) {
   if (has_sanitizers) GTEST_SKIP() << "tests the encoder";
   for (const char* scene : {"dzhanibekov --theme space", "t-handle --theme paper", "phone"}) {
     const ScratchFolder folder;
-    ASSERT_EQ(render(folder, std::string(scene) + " -o f.mp4").code, 0);
+    ASSERT_EQ(render(folder, std::string(scene) + " -o f.mp4", "0-24").code, 0);
     const double expected = similarity(folder / "f.mp4", folder / "f");
     for (const char* effort : {"fast", "balanced", "small"}) {
       const std::string video = std::string(effort) + ".mp4";
       const Outcome run = run_twrench(
           folder, std::string("encode f --progress none --encode ") + effort + " -o " + video);
       ASSERT_EQ(run.code, 0) << run.err;
+      if (text_of(folder / video) == text_of(folder / "f.mp4")) continue;
       EXPECT_GE(similarity(folder / video, folder / "f"), expected - 0.002)
           << scene << " " << effort;
     }
