@@ -127,7 +127,8 @@ TEST(Signals, AFileThatMayNotGrowIsAnErrorOfFiles) {
   EXPECT_THAT(data.err, HasSubstr("File too large"));
   const Outcome film = run_shell(
       folder,
-      "ulimit -f 20; \"$TWRENCH\" render --size 160x90 --progress none --no-frames -o v.mp4");
+      "ulimit -f 20; \"$TWRENCH\" render --size 160x90 --frames 0-99 --crf 0 --progress none "
+      "--no-frames -o v.mp4");
   EXPECT_EQ(film.code, 5) << film.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "v.mp4"));
 }
