@@ -59,18 +59,16 @@ Eigen::Matrix<double, size, size> matrix(const nlohmann::json& rows) {
 
 double intersection_over_union(const image::Image& drawn, const nlohmann::json& frame) {
   const Matrix3d X = matrix<3>(frame["X"]);
-  const Matrix4d space_from_clip =
-      (matrix<4>(frame["projection"]) * matrix<4>(frame["view"])).inverse();
-  const auto in_body = [&](double x, double y, double z) -> Vector3d {
-    const Vector4d place = space_from_clip * Vector4d(x, y, z, 1);
-    return X.transpose() * (place.head<3>() / place.w());
-  };
+  Matrix4d body_from_clip = (matrix<4>(frame["projection"]) * matrix<4>(frame["view"])).inverse();
+  body_from_clip.topRows<3>() = X.transpose() * body_from_clip.topRows<3>().eval();
   int both = 0, either = 0;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const double x = (2 * column + 1.0) / width - 1, y = 1 - (2 * row + 1.0) / height;
-      const Vector3d near = in_body(x, y, -1);
-      const bool cast = meets_wrench({near, in_body(x, y, 1) - near});
+      const Vector4d near = body_from_clip * Vector4d(x, y, -1, 1);
+      const Vector4d far = near + 2 * body_from_clip.col(2);
+      const Vector3d origin = near.head<3>() / near.w();
+      const bool cast = meets_wrench({origin, far.head<3>() / far.w() - origin});
       const std::size_t pixel =
           static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
       const bool seen = drawn.pixels[4 * pixel + 3] >= 128;

@@ -124,7 +124,7 @@ long peak_memory(int samples, const std::string& format) {
 // The peak does not grow with the number of samples. The size of the libraries and the number of
 // threads contribute the same to both runs.
 TEST(Simulate, KeepsAtMostABlockOfSamples) {
-  constexpr int few = 20'000, many = 300'000;
+  constexpr int few = 20'000, many = 120'000;
   constexpr long bytes_of_a_sample = 13 * 8;  // t, X and omega, the least that could be kept
   constexpr long kept = (many - few) * bytes_of_a_sample / 1024;
   for (const char* format : {"csv", "json"}) {
