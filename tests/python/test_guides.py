@@ -83,6 +83,8 @@ def test_the_commands_of_a_page_run(page, tmp_path, template):
         assert words[0] == "twrench"
         if words[1] == "render" and "--frames" not in words:
             words += ["--frames", "0-3"]  # the frames of a film differ in the pose alone
+        if words[1] == "render" and "--size" not in words:
+            words += ["--size", "320x180"]
         if words[1] == "page":
             words += ["--template", str(template)]  # the real one is built by scripts/maintain/page.sh
         run = subprocess.run(words, cwd=tmp_path, env=with_program(), capture_output=True, text=True)
@@ -121,6 +123,8 @@ def test_the_commands_of_other_pages_run(page, tmp_path, template):
         words = shlex.split(command, comments=True)
         if words[1] == "page":
             words += ["--template", str(template)]
+            if "--size" not in words:
+                words += ["--size", "160x90"]
         if words[1] == "report":
             words += ["--static"]  # without the page, which scripts/maintain/page.sh builds
         run = subprocess.run(words, cwd=tmp_path, env=with_program(), capture_output=True, text=True)

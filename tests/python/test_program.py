@@ -147,11 +147,11 @@ def test_a_page_is_that_of_the_program(program, tmp_path, template, lab, options
 
 def test_the_pages_of_all_scenes_are_as_of_the_program(program, tmp_path, template):
     mine, theirs = tmp_path / "new" / "mine", tmp_path / "theirs.html"
-    index = twrench.pages(mine, template=template, theme="paper")
+    index = twrench.pages(mine, template=template, theme="paper", size=(160, 90))
     assert index == mine / "index.html"
     assert {file.stem for file in mine.iterdir()} == {"index", *twrench.scenes()}
     for name in ("dzhanibekov", "wing-nut", "explain"):  # the others take the same paths
-        program("page", name, "--theme", "paper", "--template", template, "-o", theirs)
+        program("page", name, "--theme", "paper", "--size", "160x90", "--template", template, "-o", theirs)
         assert (mine / f"{name}.html").read_bytes() == theirs.read_bytes(), name
     with pytest.raises(twrench.UsageError, match="^attitude"):
         twrench.pages(tmp_path / "turned", template=template, attitude=(0.5, 0.5, 0.5, 0.5))
