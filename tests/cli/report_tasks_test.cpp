@@ -56,7 +56,7 @@ Matrix3d rotation(const Vector3d& u) {
 
 /// The angular velocity for an attitude.
 using Velocity = std::function<Vector3d(const Matrix3d&)>;
-using Step = std::function<Matrix3d(const Matrix3d&, double, const Velocity&)>;
+using StepFunction = std::function<Matrix3d(const Matrix3d&, double, const Velocity&)>;
 
 Matrix3d lie_euler_step(const Matrix3d& W, double h, const Velocity& omega) {
   return W * rotation(h * omega(W));
@@ -70,7 +70,8 @@ Matrix3d rk4_step(const Matrix3d& W, double h, const Velocity& omega) {
 }
 
 /// The error of a method at the time of a reference sample.
-double error_of(const Step& step, double h, const motion::ReferenceCase& reference, double t) {
+double error_of(const StepFunction& step, double h, const motion::ReferenceCase& reference,
+                double t) {
   const Velocity omega = [&](const Matrix3d& W) -> Vector3d {
     return reference.body.inertia().inverse() * W.transpose() * reference.body.momentum();
   };

@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string held_film =
+const std::string resumed_film =
     "--size 160x90 --fps 5 --speed 6 --duration 96 --frames-dir f -o v.mp4 ";  // 80 frames
-const std::string held_command = "render --progress none " + held_film;
+const std::string held_command = "render --progress none " + resumed_film;
 
 /// The digests in the manifest.
 std::map<std::string, std::string> told_digests(const fs::path& folder) {
@@ -55,7 +55,7 @@ TEST(Resume, AfterSignalsThatEndTheRunWhole) {
   const std::pair<const char*, int> signals[] = {{"INT", 130}, {"TERM", 143}};
   for (const auto& [signal, code] : signals) {
     ScratchFolder folder;
-    const Outcome stopped = run_shell(folder, start_held(held_film) + "kill -" + signal +
+    const Outcome stopped = run_shell(folder, start_held(resumed_film) + "kill -" + signal +
                                                   " $pid; kill -" + signal + " $pid; wait $pid");
     ASSERT_EQ(stopped.code, code) << stopped.err;
     EXPECT_THAT(stopped.err, HasSubstr(std::string("interrupted by SIG") + signal));

@@ -6,6 +6,7 @@
 #include <twrench/motion/rotating_frame.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "interchange/glb_reader.h"

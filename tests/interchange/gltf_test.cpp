@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "interchange/glb_reader.h"
 
 namespace twrench::interchange {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>

@@ -6,6 +6,7 @@
 #include <twrench/base/error.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "scene/fields.h"

@@ -7,7 +7,7 @@
 namespace twrench::picture {
 namespace {
 
-constexpr image::Area whole_picture{0, 0, 400, 300};
+constexpr image::Area whole_area{0, 0, 400, 300};
 constexpr image::Area block_area{20, 30, 300, 200};
 constexpr double size_of_readout = 20, size_of_caption = 10;
 
@@ -66,7 +66,7 @@ TEST_F(TextBlockTest, PutsEachBarBelowTheOneBefore) {
   EXPECT_EQ(bars.extent(), (image::Area{block_area.x, block_area.y, 150, 22}));
   bars.add_bar(1, blue);
   EXPECT_EQ(bars.extent(), (image::Area{block_area.x, block_area.y, 300, 44}));
-  bars.finish(whole_picture);
+  bars.finish(whole_area);
   const Layer layer = bars.draw({});
   EXPECT_EQ(rows_of(layer, block_area.x + 10, red), (std::pair(36, 43)));
   EXPECT_EQ(rows_of(layer, block_area.x + 10, blue), (std::pair(58, 65)));

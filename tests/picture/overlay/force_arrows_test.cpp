@@ -23,7 +23,7 @@ ForceArrows arrows_of(const scene::Scene& scene, const timeline::Timeline& timel
 }
 
 /// Returns the number of triangles of the arrows in a frame of the film.
-std::size_t drawn(const scene::Scene& scene, int frame) {
+std::size_t drawn_items(const scene::Scene& scene, int frame) {
   const timeline::Timeline timeline(scene, {frame});
   DrawList list;
   list.begin(frame_sphere({{1, 2, 5}, 0.6, 4.0 / 3, 10}), {0, 0, 640, 480});
@@ -71,13 +71,13 @@ TEST(ForceArrows, HaveTheLengthsOfTheForces) {
 }
 
 TEST(ForceArrows, ShowTheForcesThatThereAreInTheFrame) {
-  const std::size_t space = drawn(in_frame(scene::Frame::space), 100);
+  const std::size_t space = drawn_items(in_frame(scene::Frame::space), 100);
   EXPECT_GT(space, 0U) << "what holds it";
-  EXPECT_GT(drawn(in_frame(scene::Frame::body), 100), space);
-  EXPECT_GT(drawn(in_frame(scene::Frame::rotating), 100), space);
+  EXPECT_GT(drawn_items(in_frame(scene::Frame::body), 100), space);
+  EXPECT_GT(drawn_items(in_frame(scene::Frame::rotating), 100), space);
   scene::Scene rest = in_frame(scene::Frame::body);
   rest.motion.omega = Vector3d::Zero();
-  EXPECT_EQ(drawn(rest, 100), 0U);
+  EXPECT_EQ(drawn_items(rest, 100), 0U);
 }
 
 TEST(Forces, OfAFrameAreThoseThatCanBeThere) {
