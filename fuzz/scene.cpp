@@ -3,6 +3,7 @@
 
 #include <twrench/base/error.h>
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "scene/scene_json.h"

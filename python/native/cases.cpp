@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cases/case_json.h"
 #include "module.h"
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <future>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "film/film_sound.h"

@@ -80,7 +80,7 @@ TEST(Chapters, AreLeftOutOnRequest) {
   }
 }
 
-const std::string story = R"(
+const std::string chapters_story = R"(
 [body]
 moments = [3, 4, 5]
 [motion]
@@ -111,7 +111,7 @@ start = 2
 // From a manifest of shards, encode makes the same chapters and captions.
 TEST(Chapters, OfFramesAreThoseOfTheFilm) {
   const ScratchFolder folder;
-  system::write_file_atomically(folder / "story.toml", story);
+  system::write_file_atomically(folder / "story.toml", chapters_story);
   const std::string command = "render story.toml --progress none ";
   ASSERT_EQ(run_twrench(folder, command + "-o film.mp4").code, 0);
   EXPECT_EQ(chapters_in(folder, "film.mp4"),
@@ -139,7 +139,7 @@ TEST(Chapters, OfFramesAreThoseOfTheFilm) {
 
 TEST(Chapters, AreOfTheCaptionsThatAManifestHas) {
   const ScratchFolder folder;
-  system::write_file_atomically(folder / "story.toml", story);
+  system::write_file_atomically(folder / "story.toml", chapters_story);
   ASSERT_EQ(run_twrench(folder, "render story.toml --no-video --frames 0-1 --progress none").code,
             0);
   const fs::path path = folder / "out/story/manifest.json";

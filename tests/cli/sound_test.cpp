@@ -29,7 +29,7 @@ constexpr double fps = 6;
 /// What lengths may differ by, in s.
 constexpr double length_tolerance = 1.0 / 30;
 
-const std::string small = "render --size 32x32 --fps 6 --bare --progress none --no-frames ";
+const std::string sound_film = "render --size 32x32 --fps 6 --bare --progress none --no-frames ";
 /// A body that flips 15.3 s after its start, and then every 30.7 s.
 const std::string flipping = "--inertia 3,5,9 --omega 0.001,1,0 ";
 
@@ -157,7 +157,7 @@ TEST(Sound, OfAMotionHasAnAccentAtEachFlip) {
   // 10.17 s are no whole number of packets.
   for (const char* video : {"film.mp4", "film.mov", "film.mkv", "film.webm"}) {
     const Outcome run = run_twrench(
-        folder, small + flipping + "--duration 81.33 --speed 8 --sound motion -o " + video);
+        folder, sound_film + flipping + "--duration 81.33 --speed 8 --sound motion -o " + video);
     ASSERT_EQ(run.code, 0) << run.err;
     std::vector<double> flips = exact_flips(81.3);
     for (double& flip : flips) flip /= 8;
@@ -175,7 +175,7 @@ TEST(Sound, OfAMotionFollowsShotsAndSlowMotion) {
          "[[shot]]\nlength = 3\nstart = 15\nspeed = [[0, 0.1], [3, 0.4]]\n"
          "[[shot]]\nlength = 3\nstart = 10\nspeed = 2\nfade = 0.5\n"
          "[[shot]]\nlength = 1\nspeed = 0\n";
-  ASSERT_EQ(run_twrench(folder, small + "scene.toml -o film.webm").code, 0);
+  ASSERT_EQ(run_twrench(folder, sound_film + "scene.toml -o film.webm").code, 0);
   // The first shot shows the motion from 0 to 20 s; the second from 15 s in slow motion, at 15 s +
   // 0.1 t + 0.05 t^2; the third from 10 to 16 s.
   const double flip = exact_flips(20).at(0);
@@ -186,7 +186,7 @@ TEST(Sound, OfAMotionFollowsShotsAndSlowMotion) {
 
 TEST(Sound, OfAPartIsThatOfThePart) {
   const ScratchFolder folder;
-  const std::string film = small + flipping + "--duration 80 --speed 4 --sound motion ";
+  const std::string film = sound_film + flipping + "--duration 80 --speed 4 --sound motion ";
   ASSERT_EQ(run_twrench(folder, film + "--frames 60-77 -o part.mp4").code, 0);
   EXPECT_NEAR(length_of(folder, "part.mp4"), 3, length_tolerance);
   expect_accents(samples_in(folder, "part.mp4"), {exact_flips(80)[1] / 4 - 10});
@@ -197,7 +197,7 @@ TEST(Sound, OfAPartIsThatOfThePart) {
 
 TEST(Sound, IsStreamed) {
   const ScratchFolder folder;
-  ASSERT_EQ(run_shell(folder, "\"$TWRENCH\" " + small + flipping +
+  ASSERT_EQ(run_shell(folder, "\"$TWRENCH\" " + sound_film + flipping +
                                   "--duration 80 --speed 8 --sound motion -o - >film.mp4")
                 .code,
             0);
@@ -231,7 +231,7 @@ TEST(Audio, IsTrimmedWithAFadeOrFollowedBySilence) {
   const ScratchFolder folder;
   write_tone(folder, "long.mp3", 9);
   write_tone(folder, "short.wav", 1.5);
-  const std::string film = small + "--duration 4 --speed 1 ";
+  const std::string film = sound_film + "--duration 4 --speed 1 ";
   for (const std::string video : {"film.mp4", "film.mov", "film.mkv", "film.webm"}) {
     ASSERT_EQ(run_twrench(folder, film + "--audio long.mp3 -o " + video).code, 0);
     const std::vector<double> samples = samples_in(folder, video);
@@ -254,9 +254,9 @@ TEST(Audio, IsTrimmedWithAFadeOrFollowedBySilence) {
 TEST(Audio, IsLouderThanTheMotion) {
   const ScratchFolder folder;
   write_tone(folder, "tone.wav", 1);
-  ASSERT_EQ(run_twrench(folder, small + "--duration 24 --sound motion -o alone.mp4").code, 0);
+  ASSERT_EQ(run_twrench(folder, sound_film + "--duration 24 --sound motion -o alone.mp4").code, 0);
   ASSERT_EQ(
-      run_twrench(folder, small + "--duration 24 --sound motion --audio tone.wav -o mixed.mp4")
+      run_twrench(folder, sound_film + "--duration 24 --sound motion --audio tone.wav -o mixed.mp4")
           .code,
       0);
   const std::vector<double> alone = samples_in(folder, "alone.mp4"),
@@ -270,10 +270,10 @@ TEST(Audio, DoesNotClipWithTheMotion) {
   run_command("ffmpeg -v error -f lavfi -i 'aevalsrc=0.99*sin(6000*t):d=4' '" +
               (folder / "loud.wav").string() + "'");
   for (const std::string video : {"loud.mp4", "loud.webm"}) {
-    ASSERT_EQ(
-        run_twrench(folder, small + "--duration 24 --sound motion --audio loud.wav -o " + video)
-            .code,
-        0);
+    ASSERT_EQ(run_twrench(folder,
+                          sound_film + "--duration 24 --sound motion --audio loud.wav -o " + video)
+                  .code,
+              0);
     EXPECT_LE(loudness_of(folder, video).peak, -1);
   }
 }
@@ -287,7 +287,7 @@ TEST(Audio, ThatCannotBeUsedIsReportedBeforeTheFirstFrame) {
   std::ofstream(folder / "text.wav") << "no sound\n";
   std::filesystem::create_directory(folder / "folder");
   const auto expect = [&](const std::string& options, int code, const std::string& message) {
-    const Outcome run = run_twrench(folder, small + "--duration 4 " + options);
+    const Outcome run = run_twrench(folder, sound_film + "--duration 4 " + options);
     EXPECT_EQ(run.code, code) << options;
     EXPECT_THAT(run.err, HasSubstr(message)) << options;
     EXPECT_EQ(std::ranges::count(run.err, '\n'), 2) << run.err;
@@ -324,7 +324,7 @@ TEST(Audio, NeedsAnFfmpegWithItsEncoder) {
   std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
   for (const auto& [video, encoder] : {std::pair{"film.mp4", "aac"}, {"film.webm", "libopus"}}) {
     const Outcome run =
-        run_twrench(folder, small + "--duration 4 --sound motion -o " + std::string(video),
+        run_twrench(folder, sound_film + "--duration 4 --sound motion -o " + std::string(video),
                     "PATH=\"$PWD/bin:$PATH\" ");
     EXPECT_EQ(run.code, 4) << run.err;
     EXPECT_THAT(run.err, HasSubstr("Unknown encoder"));
@@ -348,7 +348,7 @@ TEST(Narration, StartsWithItsShot) {
   write_tone(folder, "story/2.wav", 3);
   write_tone(folder, "story/3.wav", 4.1);
   write_story(folder, "1.wav");
-  const Outcome run = run_twrench(folder, small + "story/scene.toml -o film.mp4");
+  const Outcome run = run_twrench(folder, sound_film + "story/scene.toml -o film.mp4");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, Not(HasSubstr("narration")));
   const std::vector<double> samples = samples_in(folder, "film.mp4");
@@ -360,20 +360,20 @@ TEST(Narration, StartsWithItsShot) {
   EXPECT_LT(level(samples, 3.55, 6), 0.01 * usual);
 
   write_story(folder, "2.wav");
-  const Outcome longer = run_twrench(folder, small + "story/scene.toml -o longer.mp4");
+  const Outcome longer = run_twrench(folder, sound_film + "story/scene.toml -o longer.mp4");
   EXPECT_EQ(longer.code, 0);
   EXPECT_THAT(longer.err, HasSubstr("warning: story/scene.toml:8: shot[1].narration: 2.wav lasts "
                                     "3.00 s, but the shot 2.00 s"));
   write_story(folder, "3.wav");
-  const Outcome wrong = run_twrench(folder, small + "story/scene.toml -o wrong.mp4");
+  const Outcome wrong = run_twrench(folder, sound_film + "story/scene.toml -o wrong.mp4");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("shot[1].narration: 3.wav lasts 4.10 s, but the film ends 4.00 "
                                    "s after its start"));
   write_story(folder, "none.wav");
-  EXPECT_EQ(run_twrench(folder, small + "story/scene.toml -o wrong.mp4").code, 5);
+  EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o wrong.mp4").code, 5);
   EXPECT_FALSE(std::filesystem::exists(folder / "wrong.mp4"));
   // An animated image has none.
-  EXPECT_EQ(run_twrench(folder, small + "story/scene.toml -o story.gif").code, 0);
+  EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o story.gif").code, 0);
 }
 
 TEST(Encode, AddsAFileOrLeavesTheSoundOut) {

@@ -24,7 +24,7 @@ using testing::StartsWith;
 
 const std::string tiny = "render --size 64x36 --frames 0-4 --frames-dir f --no-video ";
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> lines_of_output(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -145,7 +145,7 @@ TEST(Words, AllIsJsonWhereJsonIsAskedFor) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, tiny + "--progress json --inertia 1,1,3 --timing");
   EXPECT_EQ(run.code, 0);
-  const std::vector<std::string> lines = lines_of(run.err);
+  const std::vector<std::string> lines = lines_of_output(run.err);
   ASSERT_GE(lines.size(), 4U) << run.err;
   for (const std::string& line : lines) EXPECT_TRUE(json::accept(line)) << line;
   EXPECT_THAT(json::parse(lines.front())["warning"].get<std::string>(), HasSubstr("no real body"));
@@ -176,7 +176,7 @@ TEST(Words, NothingForgesLinesOfOpenjd) {
                 "\"$TWRENCH\" encode \"$(printf 'a\\nopenjd_env: PATH=/b')\" -o v.mp4 "
                 "--progress openjd");
   EXPECT_EQ(run.code, 5);
-  EXPECT_EQ(lines_of(run.out).size(), 1U) << run.out;
+  EXPECT_EQ(lines_of_output(run.out).size(), 1U) << run.out;
   EXPECT_THAT(run.out, StartsWith("openjd_fail: cannot use a\\nopenjd_env: PATH=/b: "));
 }
 

@@ -2,15 +2,14 @@
 
 #include <twrench/math/so3.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <unsupported/Eigen/LevenbergMarquardt>
 
 #include "check/verdict/error.h"
 #include "check/verdict/exact_rows.h"
 #include "check/verdict/frame.h"
+#include "check/verdict/least_squares.h"
 #include "check/verdict/stop.h"
 
 namespace twrench::check {
@@ -34,22 +33,25 @@ struct Weights {
 /// Whether the moments are fitted too.
 enum class Body { as_given, fitted };
 
-/// The residuals of rows as a function of the fitted parameters, for Eigen's Levenberg-Marquardt
-/// solver. Parameters: the change of omega in units of |omega|; if there is an attitude, the
-/// rotation vector by which the frame turns; if the body is fitted, the logarithms by which two of
-/// its principal moments grow relative to the first.
-class Residuals : public Eigen::DenseFunctor<double> {
+/// The residuals of rows as a function of the fitted parameters. Parameters: the change of omega in
+/// units of |omega|; if there is an attitude, the rotation vector by which the frame turns; if the
+/// body is fitted, the logarithms by which two of its principal moments grow relative to the first.
+class Residuals {
  public:
   Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
             Body body = Body::as_given, const std::atomic<bool>* stop = nullptr)
-      : DenseFunctor(3 + (weights.attitude > 0 ? 3 : 0) + (body == Body::fitted ? 2 : 0),
-                     static_cast<int>(rows.size() * weights.numbers_per_row())),
+      : inputs_(3 + (weights.attitude > 0 ? 3 : 0) + (body == Body::fitted ? 2 : 0)),
         from_(from),
         rows_(rows),
         weights_(weights),
         body_(body),
         stop_(stop),
         speed_(from.body.omega().norm()) {}
+
+  Eigen::Index inputs() const { return inputs_; }
+  Eigen::Index values() const {
+    return static_cast<Eigen::Index>(rows_.size() * weights_.numbers_per_row());
+  }
 
   Reference reference(const VectorXd& p) const {
     const Vector3d omega = from_.body.omega() + speed_ * p.head<3>();
@@ -58,7 +60,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
     return reference;
   }
 
-  int operator()(const VectorXd& p, VectorXd& residuals) const {
+  void operator()(const VectorXd& p, VectorXd& residuals) const {
     throw_if_stopped(stop_);
     const Reference at = reference(p);
     exact_.evaluate(motion::ExactMotion(at.body), at.start, rows_);
@@ -74,19 +76,17 @@ class Residuals : public Eigen::DenseFunctor<double> {
         next += 3;
       }
     }
-    return 0;
   }
 
   /// Central differences.
-  int df(const VectorXd& p, MatrixXd& jacobian) const {
+  void differentiate(const VectorXd& p, MatrixXd& jacobian) const {
     constexpr double step = 1e-6;
     VectorXd ahead(values()), behind(values());
-    for (int i = 0; i < inputs(); ++i) {
+    for (Eigen::Index i = 0; i < inputs(); ++i) {
       (*this)(p + step * VectorXd::Unit(inputs(), i), ahead);
       (*this)(p - step * VectorXd::Unit(inputs(), i), behind);
       jacobian.col(i) = (ahead - behind) / (2 * step);
     }
-    return 0;
   }
 
  private:
@@ -101,6 +101,7 @@ class Residuals : public Eigen::DenseFunctor<double> {
     return principal.axes * moments.asDiagonal() * principal.axes.transpose();
   }
 
+  Eigen::Index inputs_;
   Reference from_;
   std::span<const Row> rows_;
   Weights weights_;
@@ -113,14 +114,11 @@ class Residuals : public Eigen::DenseFunctor<double> {
 /// Returns the reference that fits the rows best; the search starts at `from`.
 Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights,
                    const std::atomic<bool>* stop, Body body = Body::as_given) {
-  Residuals residuals(from, rows, weights, body, stop);
-  Eigen::LevenbergMarquardt<Residuals> solver(residuals);
-  constexpr double round_off = 1e-15;
-  solver.setFtol(round_off);
-  solver.setXtol(round_off);
-  VectorXd p = VectorXd::Zero(residuals.inputs());
-  solver.minimize(p);
-  return residuals.reference(p);
+  const Residuals residuals(from, rows, weights, body, stop);
+  return residuals.reference(minimized(
+      {residuals.inputs(), residuals.values(),
+       [&](const VectorXd& p, VectorXd& values) { residuals(p, values); },
+       [&](const VectorXd& p, MatrixXd& jacobian) { residuals.differentiate(p, jacobian); }}));
 }
 
 /// Root mean squares of the components of the residuals, in rad/s and rad.
@@ -160,10 +158,9 @@ Weights reweighted(const Weights& weights, const RootMeanSquares& left, double s
 MatrixXd covariance_of(const Residuals& residuals) {
   const VectorXd left = residuals_of(residuals);
   MatrixXd jacobian(residuals.values(), residuals.inputs());
-  residuals.df(VectorXd::Zero(residuals.inputs()), jacobian);
-  const MatrixXd information = jacobian.transpose() * jacobian;
-  const double freedom = std::max<double>(1, residuals.values() - residuals.inputs());
-  return left.squaredNorm() / freedom * information.inverse();
+  residuals.differentiate(VectorXd::Zero(residuals.inputs()), jacobian);
+  const auto freedom = std::max<Eigen::Index>(1, residuals.values() - residuals.inputs());
+  return left.squaredNorm() / static_cast<double>(freedom) * inverse_of_squares(jacobian);
 }
 
 Fit result(const Reference& reference, std::span<const Row> rows, const Weights& weights) {
