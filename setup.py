@@ -24,7 +24,7 @@ class BuildWithCMake(build_ext):
         package = Path(self.get_ext_fullpath(extension.name)).resolve().parent
         configure = [
             "cmake", "-S", PROJECT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-            "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=16", "-DBUILD_TESTING=OFF",
+            "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0", "-DBUILD_TESTING=OFF",
             "-DTWRENCH_PYTHON=ON", "-DTWRENCH_PYTHON_DIR=.", "-DTWRENCH_BUNDLE_LIBRARIES=ON",
             f"-DPython_EXECUTABLE={sys.executable}",
         ]  # fmt: skip

@@ -123,7 +123,7 @@ use_sources() {
       "if(folders MATCHES \"$PWD/src\" OR options)" '  message(FATAL_ERROR "${folders} ${options}")' 'endif()'
   } >"$1/CMakeLists.txt"
   cmake -S "$1" -B "$1/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$2" \
-    -DBUILD_SHARED_LIBS="$3" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 >/dev/null
+    -DBUILD_SHARED_LIBS="$3" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 >/dev/null
   cmake --build "$1/build"
   run_examples "$1/build"
   [[ $(ctest --test-dir "$1/build" -N | tail -n 1) == "Total Tests: 0" ]] ||
@@ -202,7 +202,7 @@ for shared in OFF ON; do
   [[ $shared == ON || $mode == --quick ]] || testing=ON
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DTWRENCH_RENDER=OFF \
     -DBUILD_SHARED_LIBS=$shared -DBUILD_TESTING=$testing \
-    -DCMAKE_UNITY_BUILD=$unity -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
+    -DCMAKE_UNITY_BUILD=$unity -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
     -DCMAKE_INSTALL_PREFIX="$build-installed" -DCMAKE_INSTALL_LIBDIR=lib >/dev/null
   cmake --build "$build"
   [[ $testing == OFF ]] || ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)"
@@ -266,7 +266,7 @@ rm -rf "$build-installed"
 # Little is inlined at -O1, so that more of Eigen's functions are shared with the program.
 cmake -S . -B "$build" -G Ninja -DTWRENCH_RENDER=OFF -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_CXX_FLAGS='-march=native -w' -DCMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG' \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
   -DCMAKE_INSTALL_PREFIX="$build-installed" -DCMAKE_INSTALL_LIBDIR=lib >/dev/null
 cmake --build "$build"
 cmake --install "$build" >/dev/null

@@ -4,7 +4,6 @@
 #include <array>
 #include <future>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "film/film_sound.h"
