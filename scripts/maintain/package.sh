@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # package.sh [--twice]: installs missing dependencies, makes Debian packages for the installed release of Debian
 # in out/packages, and checks them with lintian. scripts/maintain/try_packages.sh tries them on a bare system.
+# package.sh --portable: makes an archive there instead, with which the program runs without installation, also
+# on other distributions. scripts/maintain/portable.sh packs it, and tries it on a bare system.
 #
 # The packages are reproducible: the same sources, Debian packages and SOURCE_DATE_EPOCH give the same
 # bytes in any folder, for any user, at any time. SOURCE_DATE_EPOCH, in seconds since 1970, is by
@@ -11,16 +13,22 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source scripts/maintain/common.sh
-twice=''
+twice='' purpose=package
 case ${1-} in
   '') ;;
   --twice) twice=yes ;;
+  --portable)
+    purpose=portable
+    grep -qx 'VERSION_CODENAME=bookworm' /etc/os-release 2>/dev/null ||
+      die "the portable archive has to be made on Debian 12, because it does not run with an older C library than here" \
+        "run this in an installation of Debian 12, such as a container"
+    ;;
   *)
     sed -n '/^# /s///p; /^set/q' "$0"
     [[ $1 == --help ]] && exit 0 || exit 2
     ;;
 esac
-scripts/maintain/setup.sh package
+scripts/maintain/setup.sh "$purpose"
 
 export LC_ALL=C.UTF-8 TZ=UTC
 umask 022
@@ -38,8 +46,15 @@ CXXFLAGS="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
 LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
 export CXXFLAGS LDFLAGS
 # The cache holds the flags of an earlier run.
-rm -f build/package/CMakeCache.txt
+rm -f "build/$purpose/CMakeCache.txt"
 scripts/maintain/page.sh --template
+if [[ $purpose == portable ]]; then
+  installed=build/portable/installed
+  scripts/maintain/build.sh --in portable release -DTWRENCH_PYTHON=OFF twrench manual
+  rm -rf "$installed"
+  cmake --install build/portable --component program --prefix "$installed" >build/portable/install.log
+  exec scripts/maintain/portable.sh --pack "$installed"
+fi
 scripts/maintain/build.sh --in package release -DCMAKE_INSTALL_PREFIX=/usr -DTWRENCH_PYTHON=ON
 
 build=build/package packages=out/packages

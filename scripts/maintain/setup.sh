@@ -13,6 +13,7 @@
 #   coverage    measuring line coverage, and running the tests under valgrind
 #   arm64       cross-compiling for arm64 and running the core tests in an emulator
 #   package     making Debian's packages
+#   portable    making the archive that runs without installation
 #   docs        building the reference pages
 #   interchange running other programs on exported files
 #   page        building the template of pages
@@ -108,6 +109,10 @@ coverage | valgrind                      | valgrind
 package  | the tools for packages        | dpkg-dev
 package  | file, which they use          | file
 package  | lintian, to check packages    | lintian
+portable | dpkg-buildflags               | dpkg-dev
+portable | patchelf, for the search path | patchelf
+portable | xz                            | xz-utils
+portable | objdump and strip             | binutils
 docs     | Doxygen                       | doxygen
 docs     | Sphinx                        | python3-sphinx
 docs     | MyST, which reads Markdown    | python3-myst-parser
@@ -179,6 +184,7 @@ uses_of() {
     bench | foreign) echo render "$1" ;;
     test | interchange) echo render python "$1" ;;
     package) echo render python page package ;;
+    portable) echo render page portable ;;
     browser) echo render page browser ;;
     recipes) echo render python test page recipes ;;
     check | library | tidy | coverage | docs) echo render python test "$1" ;;
