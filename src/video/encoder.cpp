@@ -24,8 +24,7 @@ namespace {
 
 system::ChildProcess start_ffmpeg(const Arguments& command, system::Patience patience,
                                   int output = system::ChildProcess::output_dropped) {
-  return system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
-                                             patience, output);
+  return system::start_program<EncoderError>(command, ffmpeg_remedy, patience, output);
 }
 
 /// The reason why ffmpeg failed, with its own message.

@@ -11,6 +11,11 @@ struct EncoderError : Error {
   using Error::Error;
 };
 
+/// What the user can do if ffmpeg is missing.
+inline constexpr const char* ffmpeg_remedy =
+    "install it: apt-get install ffmpeg; without root, put an ffmpeg and its ffprobe into a folder "
+    "of PATH";
+
 /// The format of a film does not support its size.
 class FilmSizeError : public InvalidArgument {
  public:

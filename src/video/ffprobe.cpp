@@ -24,8 +24,7 @@ std::optional<nlohmann::json> ffprobe(const std::filesystem::path& file,
   command.insert(command.end(), options.begin(), options.end());
   command.insert(command.end(), {"-of", "json", "file:" + file.string()});
   const system::MemoryFile output("");
-  auto child = system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg",
-                                                   {}, output.descriptor());
+  auto child = system::start_program<EncoderError>(command, ffmpeg_remedy, {}, output.descriptor());
   if (child.wait(disk_time(file)) != 0) return std::nullopt;
   try {
     return nlohmann::json::parse(output.contents());

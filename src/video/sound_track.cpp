@@ -85,7 +85,7 @@ SoundTrack::SoundTrack(const SoundMix& mix, Container container, system::Patienc
   const SoundCodec& codec = *output_format(container).sound;
   const Arguments command = command_of(mix, codec, input());
   system::ChildProcess ffmpeg =
-      system::start_program<EncoderError>(command, "install it: apt-get install ffmpeg", patience);
+      system::start_program<EncoderError>(command, ffmpeg_remedy, patience);
   if (mix.motion) {
     mix.motion([&](std::span<const float> samples) {
       return ffmpeg.write(

@@ -75,7 +75,7 @@ std::vector<Finding> examine_backends() {
 std::string ffmpeg_version() {
   const system::MemoryFile output("");
   auto ffmpeg = system::start_program<video::EncoderError>(
-      {"ffmpeg", "-version"}, "install it: apt-get install ffmpeg", {}, output.descriptor());
+      {"ffmpeg", "-version"}, video::ffmpeg_remedy, {}, output.descriptor());
   ffmpeg.wait();
   const std::string text = output.contents();
   const std::string line = text.substr(0, text.find('\n'));
