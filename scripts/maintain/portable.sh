@@ -170,9 +170,10 @@ try_archive() {
   say "$suite: a bare installation"
   make_root "$root" "$suite"
   : >"$log"
-  # A minimal installation, unlike other systems, does not have xz.
-  try root "cd / && apt-get update && apt-get install --yes --no-install-recommends xz-utils"
   home=$root/home/someone/twrench
+  mkdir "$home"
+  # A minimal installation, unlike other systems, does not have xz.
+  try root "apt-get update && apt-get install --yes --no-install-recommends xz-utils"
   cp "$archive" "$home/"
   chroot "$root" chown -R someone /home/someone/twrench
   # The folder may be anywhere.

@@ -49,6 +49,7 @@ cat >&2 <<END
 twrench: left to a maintainer:
   1. git tag --sign v$version -m "twrench $version" && git push origin v$version
   2. Publish a release of this tag with the files in $release and the section of CHANGELOG.md.
-  3. Make the packages of the other releases of Debian: scripts/maintain/package.sh in each.
+  3. Make the packages of the other releases of Debian: scripts/maintain/package.sh in each; in Debian 12 also the
+     archive: scripts/maintain/package.sh --portable.
   4. Start a section "## [Unreleased]" in CHANGELOG.md.
 END
