@@ -122,7 +122,9 @@ VectorXd minimized(const LeastSquares& problem) {
       damping *= growth;
       growth *= 2;
     }
-    if (is_small || !(promised > round_off * (sum + actual))) break;
+    // The sum does not show what so small a step gains.
+    if (promised <= round_off * sum && std::isfinite(left)) return next;
+    if (is_small || !(promised > 0)) break;
   }
   return p;
 }
