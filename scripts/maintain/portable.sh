@@ -54,10 +54,12 @@ bundle_libraries() {
     dpkg-query --show --showformat='${Package} ${Version}, of the source package ${source:Package} ${source:Version}\n' \
       "$package:$(dpkg --print-architecture)"
   done >"$licences/PACKAGES"
-  # The licences that these files refer to.
+  # The licences that these files refer to, and those of what is compiled into the program.
+  cp packaging/copyright "$licences/.."
   mkdir "$licences/common-licenses"
   grep --directories=skip --only-matching --no-filename --extended-regexp \
-    'common-licenses/[A-Za-z]+(-[0-9]+(\.[0-9]+)?)?' "$licences"/* | LC_ALL=C sort --unique |
+    'common-licenses/[A-Za-z0-9]+(-[0-9]+(\.[0-9]+)?)?' "$licences"/* "$licences/../copyright" |
+    LC_ALL=C sort --unique |
     while IFS=/ read -r _ name; do
       [[ ! -f /usr/share/common-licenses/$name ]] ||
         cp --dereference "/usr/share/common-licenses/$name" "$licences/common-licenses"
@@ -133,7 +135,6 @@ pack() {
   stage=$(realpath build/portable)/$name archive=out/packages/$name.tar.xz
   rm -rf "$stage"
   cp --recursive "$installed" "$stage"
-  cp packaging/copyright "$stage/share/doc/twrench"
   say "bundling the libraries"
   bundle_libraries "$stage"
   rename_glapi "$stage"
