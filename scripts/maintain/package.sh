@@ -52,7 +52,7 @@ if [[ $purpose == portable ]]; then
   installed=build/portable/installed
   scripts/maintain/build.sh --in portable release -DTWRENCH_PYTHON=OFF twrench manual
   rm -rf "$installed"
-  cmake --install build/portable --component program --prefix "$installed" >build/portable/install.log
+  cmake --install build/portable --component program --prefix "$PWD/$installed" >build/portable/install.log
   exec scripts/maintain/portable.sh --pack "$installed"
 fi
 scripts/maintain/build.sh --in package release -DCMAKE_INSTALL_PREFIX=/usr -DTWRENCH_PYTHON=ON

@@ -19,7 +19,7 @@ usage() {
 }
 
 # osmesa: prints the file of OSMesa, which the program loads at run time.
-osmesa() { ldconfig -p | awk '$1 == "libOSMesa.so.8" && /x86-64|AArch64/ { print $NF; exit }'; }
+osmesa() { /sbin/ldconfig -p | awk '$1 == "libOSMesa.so.8" && /x86-64|AArch64/ { print $NF; exit }'; }
 
 # dependencies FILE...: prints the shared libraries that the files are linked to, as NAME FILE.
 dependencies() { ldd "$@" | awk '$2 == "=>" { print $1, $3 }' | LC_ALL=C sort --unique; }
