@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes and tries the archive of the program that runs without root and without other packages than ffmpeg:
+# Makes and tries the archive of the program that runs without root and without any package but ffmpeg:
 #   portable.sh --pack FOLDER        packs the program installed in FOLDER with its shared libraries, OSMesa and
 #                                    their licences in out/packages; scripts/maintain/package.sh --portable builds
 #                                    and packs it
