@@ -247,8 +247,7 @@ std::size_t SceneWriter::add_camera() {
   const Vector3d ahead(p(0, 2) / p(0, 0), p(1, 2) / p(1, 1), -1);
   const double height = std::atan((1 + p(1, 2)) / p(1, 1)) + std::atan((1 - p(1, 2)) / p(1, 1));
   const Quaterniond space_from_camera(camera.camera_from_space().transpose());
-  const Quaterniond turn =
-      space_from_camera * so3::rotation_between(-Vector3d::UnitZ(), ahead);
+  const Quaterniond turn = space_from_camera * so3::rotation_between(-Vector3d::UnitZ(), ahead);
   const Vector3d eye = metres_per_cm * camera.distance * (space_from_camera * Vector3d::UnitZ());
   const std::size_t index =
       gltf_.add("cameras", {{"name", "camera"},

@@ -24,11 +24,12 @@ constexpr std::uint32_t empty_slot = std::numeric_limits<std::uint32_t>::max();
 /// A hash table of the indices of points. At most half of its slots are used.
 class PointTable {
  public:
-  /// Returns the first index with this hash that `is_it` accepts, or `empty_slot`. `is_it` is also called
-  /// for neighbours in the table with other hashes.
+  /// Returns the first index with this hash that `is_it` accepts, or `empty_slot`. `is_it` is also
+  /// called for neighbours in the table with other hashes.
   template <typename Predicate>
   std::uint32_t find(std::uint64_t hash, Predicate is_it) const {
-    for (std::size_t at = slot(hash); slots_[at] != empty_slot; at = (at + 1) & (slots_.size() - 1)) {
+    for (std::size_t at = slot(hash); slots_[at] != empty_slot;
+         at = (at + 1) & (slots_.size() - 1)) {
       if (is_it(slots_[at])) return slots_[at];
     }
     return empty_slot;
@@ -62,7 +63,8 @@ class PointTable {
 
   unsigned bits_ = 10;
   std::size_t count_ = 0;
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(std::size_t{1} << bits_, empty_slot);
+  std::vector<std::uint32_t> slots_ =
+      std::vector<std::uint32_t>(std::size_t{1} << bits_, empty_slot);
 };
 
 std::uint64_t hash_of(const Vector3d& point) {
