@@ -1,6 +1,5 @@
 // twrench_manual FOLDER SCENE_FILE DATE: writes the manual pages and the shell completions of
 // twrench to FOLDER, from the definitions with which the program parses its command line.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -16,11 +15,7 @@ namespace {
 
 void write_all(const std::filesystem::path& folder, const std::string& example,
                const Release& release) {
-  CLI::App app(app::about, "twrench");
-  app::ExitCode code = app::ExitCode::done;
-  app::add_commands(app, code);
-  const app::Command program = app::read_command(app);
-  const std::vector<app::Command> commands = app::read_commands(app);
+  const auto [program, commands] = app::program_model();
   std::filesystem::create_directories(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
     system::write_file_atomically(folder / name, text);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,12 +14,7 @@ using app::Command;
 using app::Option;
 
 /// The commands of the program, with names without the leading "twrench".
-inline std::vector<Command> all_commands() {
-  CLI::App app(app::about, "twrench");
-  app::ExitCode code = app::ExitCode::done;
-  app::add_commands(app, code);
-  return app::read_commands(app);
-}
+inline std::vector<Command> all_commands() { return app::program_model().commands; }
 
 /// The text of a file that the build wrote.
 inline std::string written(const std::string& name) {

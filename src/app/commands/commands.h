@@ -1,8 +1,9 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "app/options/command_line.h"
+#include "app/options/command_model.h"
 #include "app/terminal/exit_code.h"
 
 namespace twrench::app {
@@ -28,12 +29,12 @@ void add_cases(CLI::App& app);
 void add_scenes(CLI::App& app);
 void add_schema(CLI::App& app);
 
-/// Adds all commands and their common options.
-void add_commands(CLI::App& app, ExitCode& code);
-
-/// Throws InvalidArgument, suggesting the nearest command, if `word` is neither an option nor a
-/// command.
-void require_known_command(const CLI::App& app, const std::string& word);
+/// The program's own options, and all commands, as manual pages and completions describe them.
+struct ProgramModel {
+  Command program;
+  std::vector<Command> commands;
+};
+ProgramModel program_model();
 
 /// Runs the command that the arguments give, reports its error if it fails, and returns the exit
 /// code.
