@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # package.sh [--twice]: installs missing dependencies, makes Debian packages for the installed release of Debian
 # in out/packages, and checks them with lintian. scripts/maintain/try_packages.sh tries them on a bare system.
-# package.sh --portable: makes an archive there instead, with which the program runs without installation, also
-# on other distributions. scripts/maintain/portable.sh packs it, and tries it on a bare system.
+# package.sh --portable: makes an archive there instead. The program runs from it without installation, also on
+# other distributions. scripts/maintain/portable.sh packs it, and tries it on a bare system.
 #
 # The packages are reproducible: the same sources, Debian packages and SOURCE_DATE_EPOCH give the same
 # bytes in any folder, for any user, at any time. SOURCE_DATE_EPOCH, in seconds since 1970, is by

@@ -11,7 +11,7 @@ struct EncoderError : Error {
   using Error::Error;
 };
 
-/// What the user can do if ffmpeg is missing.
+/// The remedy if ffmpeg is missing.
 inline constexpr const char* ffmpeg_remedy =
     "install it: apt-get install ffmpeg; without root, put an ffmpeg and its ffprobe into a folder "
     "of PATH";

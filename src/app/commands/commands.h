@@ -29,7 +29,7 @@ void add_cases(CLI::App& app);
 void add_scenes(CLI::App& app);
 void add_schema(CLI::App& app);
 
-/// The program's own options, and all commands, as manual pages and completions describe them.
+/// The options of the program and its commands, for manual pages and completions.
 struct ProgramModel {
   Command program;
   std::vector<Command> commands;
