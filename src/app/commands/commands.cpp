@@ -45,7 +45,17 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
   throw usage_error(app, error);
 }
 
-/// Adds all commands and their common options.
+/// Throws InvalidArgument, suggesting the nearest command, if `word` is neither an option nor a
+/// command.
+void require_known_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.starts_with("-") || std::ranges::find(names, word) != names.end()) return;
+  throw unknown_name("command", word, names);
+}
+
+}  // namespace
+
 void add_commands(CLI::App& app, ExitCode& code) {
   set_help_format(app);  // before the commands, which inherit it
   app.set_version_flag("--version", version_text(), "Print the version and the licences, and exit")
@@ -73,17 +83,6 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_help_all(app);
   refuse_empty_values(app);
 }
-
-/// Throws InvalidArgument, suggesting the nearest command, if `word` is neither an option nor a
-/// command.
-void require_known_command(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word.starts_with("-") || std::ranges::find(names, word) != names.end()) return;
-  throw unknown_name("command", word, names);
-}
-
-}  // namespace
 
 ProgramModel program_model() {
   CLI::App app(about, "twrench");

@@ -29,6 +29,9 @@ void add_cases(CLI::App& app);
 void add_scenes(CLI::App& app);
 void add_schema(CLI::App& app);
 
+/// Adds all commands and their common options.
+void add_commands(CLI::App& app, ExitCode& code);
+
 /// The options of the program and its commands, for manual pages and completions.
 struct ProgramModel {
   Command program;
