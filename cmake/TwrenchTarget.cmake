@@ -50,9 +50,11 @@ function(twrench_precompiled name)
   target_precompile_headers(${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <filesystem> <functional> <map>
     <memory> <optional> <ranges> <span> <string> <variant> <vector>)
 endfunction()
-set(light $<$<CONFIG:Release>:-O1>)
+# The options of rooms that are optimised little: none where all are.
+set(light)
 twrench_precompiled(twrench_headers)
-if(TWRENCH_RENDER)
+if(TWRENCH_RENDER AND CMAKE_BUILD_TYPE STREQUAL Release)
+  set(light -O1)
   twrench_precompiled(twrench_light_headers ${light})
 endif()
 
@@ -65,7 +67,7 @@ function(twrench_library name)
   set_target_properties(twrench_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(twrench_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:twrench_options>)
-  if(ARG_LIGHT)
+  if(ARG_LIGHT AND light)
     target_compile_options(twrench_${name} PRIVATE ${light})
     target_precompile_headers(twrench_${name} REUSE_FROM twrench_light_headers)
   else()
