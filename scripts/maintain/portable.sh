@@ -63,7 +63,7 @@ bundle_libraries() {
     dpkg-query --show --showformat='${Package} ${Version}, of the source package ${source:Package} ${source:Version}\n' \
       "$package:$(dpkg --print-architecture)"
   done >"$licences/PACKAGES"
-  # The licences that these files refer to, and those of what is compiled into the program.
+  # The licences of the compiled-in libraries and fonts, and the common licences that all these files refer to.
   cp packaging/copyright "$licences/.."
   mkdir "$licences/common-licenses"
   grep --directories=skip --only-matching --no-filename --extended-regexp \

@@ -26,7 +26,7 @@ using testing::Not;
 
 constexpr int rate = 48'000;
 constexpr double fps = 6;
-/// What lengths may differ by, in s.
+/// The largest difference between lengths that should be equal, in s.
 constexpr double length_tolerance = 1.0 / 30;
 
 const std::string sound_film = "render --size 32x32 --fps 6 --bare --progress none --no-frames ";

@@ -77,54 +77,53 @@ struct Linearized {
   }
 };
 
+/// Linearizes the problem at p, whose residuals are given. `scale` becomes the largest length of
+/// each column of the derivatives so far; a parameter without influence has the scale 1.
+Linearized linearized_at(const VectorXd& p, VectorXd residuals, const LeastSquares& problem,
+                         VectorXd& scale) {
+  MatrixXd jacobian(problem.residuals, problem.parameters);
+  problem.differentiate(p, jacobian);
+  for (Index i = 0; i < problem.parameters; ++i) {
+    scale[i] = std::max(scale[i], jacobian.col(i).norm());
+    if (scale[i] == 0) scale[i] = 1;
+  }
+  triangulate(jacobian, residuals);
+  return {jacobian.topRows(problem.parameters), residuals.head(problem.parameters)};
+}
+
 }  // namespace
 
 VectorXd minimized(const LeastSquares& problem) {
   constexpr double round_off = std::numeric_limits<double>::epsilon();
   constexpr int most_steps = 200;
-  const Index n = problem.parameters;
-  VectorXd p = VectorXd::Zero(n), scale = VectorXd::Zero(n);
+  VectorXd p = VectorXd::Zero(problem.parameters), scale = p;
   VectorXd residuals(problem.residuals), moved(problem.residuals);
-  MatrixXd jacobian(problem.residuals, n);
   problem.evaluate(p, residuals);
+  Linearized linearized = linearized_at(p, residuals, problem, scale);
   double sum = residuals.squaredNorm(), damping = 1e-6, growth = 2;
-  Linearized linearized;
-  bool is_current = false;
   for (int count = 0; count < most_steps; ++count) {
-    if (!is_current) {
-      problem.differentiate(p, jacobian);
-      for (Index i = 0; i < n; ++i) scale[i] = std::max(scale[i], jacobian.col(i).norm());
-      for (double& size : scale) {
-        if (size == 0) size = 1;
-      }
-      VectorXd b = residuals;
-      triangulate(jacobian, b);
-      linearized = {jacobian.topRows(n), b.head(n)};
-      is_current = true;
-    }
     const VectorXd step = linearized.step(scale, damping);
     const VectorXd next = p + step;
     problem.evaluate(next, moved);
     const double left = moved.squaredNorm(), actual = sum - left;
     const double promised = linearized.decrease(step);
-    const bool is_better = actual > 0;
-    const bool is_small =
-        step.cwiseProduct(scale).norm() <= round_off * p.cwiseProduct(scale).norm();
-    if (is_better) {
+    // The sum does not show what so small a step gains.
+    if (promised <= round_off * sum && std::isfinite(left)) return next;
+    const bool is_last = !(promised > 0) || step.cwiseProduct(scale).norm() <=
+                                                round_off * p.cwiseProduct(scale).norm();
+    if (actual > 0) {
       const double gain = std::clamp(actual / promised, 0.0, 1.0);
       p = next;
       residuals = moved;
       sum = left;
       damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
       growth = 2;
-      is_current = false;
+      if (!is_last) linearized = linearized_at(p, residuals, problem, scale);
     } else {
       damping *= growth;
       growth *= 2;
     }
-    // The sum does not show what so small a step gains.
-    if (promised <= round_off * sum && std::isfinite(left)) return next;
-    if (is_small || !(promised > 0)) break;
+    if (is_last) break;
   }
   return p;
 }

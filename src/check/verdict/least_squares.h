@@ -16,7 +16,7 @@ struct LeastSquares {
 /// Returns the parameters with the least sum of squares near zero, to round-off: the method of
 /// Levenberg and Marquardt with the scaling of More, "The Levenberg-Marquardt Algorithm:
 /// Implementation and Theory", 1978, and the damping of Nielsen, "Damping Parameter in Marquardt's
-/// Method", 1999. Eigen has this method too; its templates take a minute to compile.
+/// Method", 1999. Eigen has this method too, but its templates take long to compile.
 Eigen::VectorXd minimized(const LeastSquares& problem);
 
 /// Returns the inverse of J^T J. If its columns are dependent, numbers of it are not finite.

@@ -76,7 +76,7 @@ std::vector<Eigen::Array2d> outer_points(const std::vector<Eigen::Array2d>& poin
 
 /// The corners of the convex hull of `points` in order; the first and the last point are repeated
 /// (Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions", 1979). Boost's takes
-/// as long to compile as ten other sources.
+/// long to compile.
 std::vector<Eigen::Array2d> hull(const std::vector<Eigen::Array2d>& points) {
   std::vector<Eigen::Array2d> sorted = outer_points(points);
   std::ranges::sort(sorted, {}, [](const Eigen::Array2d& p) { return std::pair(p.x(), p.y()); });
