@@ -19,6 +19,7 @@
 #include "comparison/update.h"
 #include "interruptible.h"
 #include "module.h"
+#include "output.h"
 #include "plot/check_plot.h"
 #include "scene/limits.h"
 #include "system/file.h"
@@ -65,7 +66,7 @@ CheckReports reports_of(const check::CheckResult& result) {
   return {check::check_json(result), check::check_text(result), check::check_junit(result)};
 }
 
-void draw_check(const std::string& plot, const check::CheckResult& result) {
+void draw_check(const system::OutputFile& plot, const check::CheckResult& result) {
   std::vector<plot::JudgedCurve> curves;
   for (const check::CheckedFile& file : result.files) {
     curves.push_back({fs::path(file.name).filename().string(), &file.judgement});
@@ -74,17 +75,14 @@ void draw_check(const std::string& plot, const check::CheckResult& result) {
 }
 
 /// Returns the reports on all files and those on each of them. `names` are the names of the files
-/// in the reports. An empty `plot` draws none.
+/// in the reports. `plot` may be null.
 std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
     const std::vector<std::string>& files, const std::vector<std::string>& names,
     const std::vector<double>& steps, const Eigen::Matrix3d& inertia,
     const std::optional<Eigen::Vector3d>& omega, std::optional<double> omega_time, bool fit,
     const OptionTexts& texts, bool inverse, const std::optional<Eigen::Vector4d>& offset,
-    const std::map<std::string, double>& bounds, const std::string& plot) {
-  if (!plot.empty()) {
-    for (const std::string& file : files) system::require_not_input(plot, file);
-    plot::require_gnuplot(plot);
-  }
+    const std::map<std::string, double>& bounds, const Output* plot) {
+  if (plot != nullptr) plot::require_gnuplot(plot->file.format());
   for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
   check::Problem problem{.inertia = inertia};
   if (omega) problem.omega = scene::limits::check_omega("omega", *omega);
@@ -97,7 +95,7 @@ std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
     problem.stop = &stop;
     check::CheckResult result = check::check_files(files, steps, convention, problem, most);
     for (std::size_t i = 0; i < names.size(); ++i) result.files[i].name = names[i];
-    if (!plot.empty()) draw_check(plot, result);
+    if (plot != nullptr) draw_check(plot->file, result);
     const CheckReports of_all = reports_of(result);
     std::vector<CheckReports> of_each;
     for (check::CheckedFile& file : result.files) {
@@ -128,10 +126,11 @@ std::array<std::string, 3> compare_pictures(const std::string& expected, const s
                                             double min_similarity, int edges,
                                             const std::vector<std::array<int, 4>>& ignored,
                                             const std::string& difference, const std::string& page,
-                                            bool update) {
+                                            bool update, bool overwrite) {
   const comparison::Request request{
       expected,   actual, criteria_of(metric, threshold, share, min_similarity, edges, ignored),
-      difference, page,   update};
+      difference, page,   update,
+      overwrite};
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     const comparison::Comparison found = comparison::compare(request, [&](int, int) {
       if (stop) throw Stopped{};

@@ -20,6 +20,7 @@
 #include "interchange/export.h"
 #include "interruptible.h"
 #include "module.h"
+#include "output.h"
 #include "page/page_html.h"
 #include "page/site_html.h"
 #include "plot/gnuplot.h"
@@ -188,11 +189,12 @@ Texts report_command(const std::vector<ReportedScene>& scenes, const ReportOptio
 }
 
 /// Writes a report on at least one scene, and returns notes.
-Texts write_report(const std::vector<ReportedScene>& scenes, const std::string& file,
+Texts write_report(const std::vector<ReportedScene>& scenes, Output& output,
                    const std::string& author, const std::string& date, bool is_static,
                    bool solves_tasks) {
-  const bool interactive = !report::is_markdown(file) && !is_static;
-  plot::require_gnuplot("figure.svg");
+  const std::string file = output.file.path().string();
+  const bool interactive = output.file.format().name == "html" && !is_static;
+  plot::require_gnuplot(system::plot_output.formats.front());
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     std::vector<report::Experiment> experiments;
     for (const ReportedScene& scene : scenes) experiments.push_back(experiment_of(scene, stop));
@@ -215,15 +217,15 @@ Texts write_report(const std::vector<ReportedScene>& scenes, const std::string& 
         "twrench " TWRENCH_VERSION,
         solves_tasks ? report::report_on_tasks(experiments, report::task_commands())
                      : report::report_on_motions(experiments)};
-    report::write_report(file, document, viewer ? &*viewer : nullptr);
+    report::write_report(output.file, document, viewer ? &*viewer : nullptr, output.files);
     return notes;
   });
 }
 
 /// Returns notes.
-Texts export_motion(const Scene& scene, const std::string& file, const std::string& format,
-                    double max_angle, std::optional<double> speed, const std::string& epoch) {
-  const interchange::ExportFormat& found = interchange::export_format(format, file);
+Texts export_motion(const Scene& scene, const Output& to, double max_angle,
+                    std::optional<double> speed, const std::string& epoch) {
+  const interchange::ExportFormat& found = interchange::export_format(to.file.format());
   const interchange::ExportOptions options{
       scene::limits::check(interchange::max_angle_limit, "max_angle", max_angle),
       speed ? std::optional(scene::limits::check(scene::limits::speed, "speed", *speed))
@@ -232,7 +234,7 @@ Texts export_motion(const Scene& scene, const std::string& file, const std::stri
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     Scene written = scene;
     written.motion.control.stop = &stop;
-    system::Output output(file);
+    system::Output output(to.file);
     Texts notes = found.write(options, written, [&](std::string_view text) {
       if (stop) throw Stopped{};
       output.write(text);
@@ -256,14 +258,14 @@ plot::Plot plot_of(const std::vector<Scene>& scenes, bool overlay) {
   return overlay ? plot::column_panels(curves) : plot::nine_panels(curves);
 }
 
-void draw_plot(const std::vector<Scene>& scenes, const std::string& file, bool overlay) {
-  plot::require_gnuplot(file);
+void draw_plot(const std::vector<Scene>& scenes, const Output& output, bool overlay) {
+  plot::require_gnuplot(output.file.format());
   const plot::Plot plot = plot_of(scenes, overlay);
-  run_interruptibly([&](const std::atomic<bool>&) { plot::draw_plot(file, plot); });
+  run_interruptibly([&](const std::atomic<bool>&) { plot::draw_plot(output.file, plot); });
 }
 
 std::string plot_svg(const Scene& scene, bool overlay) {
-  plot::require_gnuplot("plot.svg");
+  plot::require_gnuplot(system::plot_output.formats.front());
   const plot::Plot plot = plot_of({scene}, overlay);
   return run_interruptibly([&](const std::atomic<bool>&) { return plot::svg(plot); });
 }
@@ -286,7 +288,7 @@ py::tuple attitude_curve(const Scene& scene) {
                         Array(static_cast<py::ssize_t>(curve.flips.size()), curve.flips.data()));
 }
 
-void write_samples(const std::string& file, const motion::FreeBody& body, const Array& times,
+void write_samples(const Output& to, const motion::FreeBody& body, const Array& times,
                    const Array& X, const Array& omega) {
   using RowMajorMatrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   std::vector<motion::Sample> samples;
@@ -295,7 +297,7 @@ void write_samples(const std::string& file, const motion::FreeBody& body, const 
                        Eigen::Map<const Eigen::Vector3d>(omega.data() + 3 * i)});
   }
   run_interruptibly([&](const std::atomic<bool>& stop) {
-    system::Output output(file);
+    system::Output output(to.file);
     interchange::write_csv(
         [&](std::string_view text) {
           if (stop) throw Stopped{};
@@ -308,7 +310,26 @@ void write_samples(const std::string& file, const motion::FreeBody& body, const 
 
 }  // namespace
 
+Output make_output(const std::string& kind, const fs::path& file,
+                   const std::vector<fs::path>& inputs, bool overwrite, const std::string& format) {
+  static constexpr std::array kinds{&system::saved_motion,    &system::exported_motion,
+                                    &system::plot_output,     &system::page_output,
+                                    &system::index_output,    &system::report_output,
+                                    &system::comparison_page, &system::difference_picture};
+  const auto found = std::ranges::find(kinds, kind, &system::OutputKind::name);
+  if (file == "-") throw InvalidArgument("path", "standard output is not written", "name a file");
+  system::FileList files(overwrite);
+  for (const fs::path& input : inputs) files.add_input(input);
+  const system::OutputFile output = files.add_output(**found, file, format);
+  return {std::move(files), output};
+}
+
 void add_outputs(py::module_& module) {
+  py::class_<Output>(module, "Output")
+      .def(py::init(&make_output))
+      .def_property_readonly("path", [](const Output& output) { return output.file.path(); })
+      .def_property_readonly("format",
+                             [](const Output& output) { return output.file.format().name; });
   py::class_<ScenePage>(module, "Page")
       .def_property_readonly("html", [](const ScenePage& page) { return page.page.html; })
       .def_property_readonly("notes", [](const ScenePage& page) { return page.page.notes; })
@@ -322,11 +343,10 @@ void add_outputs(py::module_& module) {
   module.def("plot_svg", &plot_svg);
   module.def("attitude_curve", &attitude_curve);
   module.def("write_samples", &write_samples);
-  module.def("write_file", [](const fs::path& file, const std::string& bytes) {
-    system::write_file_atomically(file, std::string_view(bytes));
+  module.def("write_output", [](const Output& output, const std::string& bytes) {
+    system::write_output(output.file, bytes);
   });
   module.def("make_folder", &system::make_folder);
-  module.def("require_not_input", &system::require_not_input);
 }
 
 }  // namespace twrench::python

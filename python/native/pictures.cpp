@@ -71,8 +71,8 @@ std::pair<std::size_t, std::vector<std::string>> render(
     settings.video = film::VideoOutput{
         *video, container ? video::container_named(*container) : video::container_of(*video),
         chapters, quality_of(effort, crf)};
-    for (const fs::path& input : inputs) system::require_not_input(*video, input);
   }
+  settings.inputs = inputs;
   settings.range = range;
   if (shard) settings.shard = video::parse_shard(*shard);
   settings.reuse = existing == "resume"      ? film::Reuse::resume

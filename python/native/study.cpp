@@ -7,6 +7,7 @@
 
 #include "interruptible.h"
 #include "module.h"
+#include "output.h"
 #include "plot/study_plot.h"
 #include "scene/limits.h"
 
@@ -15,16 +16,16 @@ namespace {
 
 namespace py = pybind11;
 
-/// An empty `plot` draws none.
+/// `plot` may be null.
 study::Study run_study(const motion::FreeBody& body, const std::vector<std::string>& methods,
                        const std::vector<double>& steps, const std::vector<double>& tolerances,
-                       double duration, const std::string& plot) {
-  if (!plot.empty()) plot::require_gnuplot(plot);
+                       double duration, const Output* plot) {
+  if (plot != nullptr) plot::require_gnuplot(plot->file.format());
   study::StudyPlan plan;
   for (const std::string& name : methods) {
     plan.methods.push_back(&motion::find_method(name, "methods"));
   }
-  if (!plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
+  if (plot != nullptr && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("plot", "the exact method alone has no steps to plot");
   }
   if (plan.methods.empty()) throw InvalidArgument("methods", "there must be one at least");
@@ -38,7 +39,7 @@ study::Study run_study(const motion::FreeBody& body, const std::vector<std::stri
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     plan.stop = &stop;
     study::Study study = study::run_study(body, plan);
-    if (!plot.empty()) plot::draw_plot(plot, plot::study_plot(study));
+    if (plot != nullptr) plot::draw_plot(plot->file, plot::study_plot(study));
     return study;
   });
 }

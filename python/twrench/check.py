@@ -140,6 +140,7 @@ def check(
     max_rate_error: float | None = ...,
     max_energy_drift: float | None = ...,
     plot: StrPath | None = ...,
+    overwrite: bool = ...,
 ) -> Check: ...
 
 
@@ -167,6 +168,7 @@ def check(
     max_rate_error: float | None = ...,
     max_energy_drift: float | None = ...,
     plot: StrPath | None = ...,
+    overwrite: bool = ...,
 ) -> Checks: ...
 
 
@@ -193,6 +195,7 @@ def check(
     max_rate_error: float | None = None,
     max_energy_drift: float | None = None,
     plot: StrPath | None = None,
+    overwrite: bool = False,
 ) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
@@ -226,6 +229,8 @@ def check(
     :param max_energy_drift: bound for the relative drift of the energy.
     :param plot: a file, .svg, .pdf or .png, for a plot of the errors and the resolution limits
         against time, which gnuplot draws; None for no plot.
+    :param overwrite: let ``plot`` replace a file that twrench did not write, or that is of another
+        kind.
     :raises UsageError: for a wrong argument, or data that can be read in several ways.
     :raises FileError: if a file cannot be read or is not a table, or the plot cannot be written.
     :raises Error: if gnuplot is needed, but is missing or fails.
@@ -262,8 +267,12 @@ def check(
     if not recordings:
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
-    figure = "" if plot is None else _arguments.path("plot", plot)
     with _files(names, recordings) as files, argument_names():
+        figure = None
+        if plot is not None:
+            path = Path(_arguments.path("plot", plot))
+            inputs = [Path(file) for file in files]
+            figure = _native.Output("plot", path, inputs, bool(overwrite), "")
         shown = [
             name if isinstance(recording, (Motion, Mapping)) else file
             for name, recording, file in zip(names, recordings, files)

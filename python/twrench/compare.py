@@ -66,6 +66,7 @@ def compare(
     diff: StrPath | None = None,
     report: StrPath | None = None,
     update: bool = False,
+    overwrite: bool = False,
 ) -> Comparison:
     """Compares two PNG files, or two folders of them, as ``twrench compare`` does.
 
@@ -81,9 +82,12 @@ def compare(
     :param diff: for two files, a ``.png`` file for the amplified difference.
     :param report: an ``.html`` file for a page that shows the differences.
     :param update: replace the expected files with the actual ones that differ, and add extra ones.
+    :param overwrite: let ``diff`` and ``report`` replace a file that twrench did not write, or that is
+        of another kind.
     :returns: the result, before any update.
     :raises UsageError: for a wrong argument, or a file compared with a folder.
     :raises FileError: if a picture cannot be read, or a file cannot be written.
+    :raises OverwriteError: if an output would replace another file.
     """
     if metric == "ssim" and share != 0:
         raise UsageError("share: bounds the metric 'share', but 'ssim' decides; use min_ssim")
@@ -109,6 +113,7 @@ def compare(
             "" if diff is None else _arguments.path("diff", diff),
             "" if report is None else _arguments.path("report", report),
             bool(update),
+            bool(overwrite),
         )
     frames = [
         FrameComparison(

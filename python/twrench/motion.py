@@ -187,25 +187,26 @@ class Motion:
             message = f"sequence: must be three axes such as 'zyx' or 'ZYX', not {axes!r}"
             raise UsageError(message) from error
 
-    def save(self, path: StrPath) -> Path:
+    def save(self, path: StrPath, *, overwrite: bool = False) -> Path:
         """Writes the motion to a file, complete or not at all, and returns its path.
 
         :param path: ``.csv`` as ``twrench simulate`` writes it, or ``.npz`` with the arrays ``t``,
             ``X``, ``omega``, ``energy``, ``energy_drift``, ``orthogonality_error`` and
             ``momentum_error``.
+        :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
         :raises UsageError: for another ending.
         :raises FileError: if the file cannot be written.
+        :raises OverwriteError: if another file would be replaced.
         """
         file = Path(_arguments.path("path", path))
-        if file.suffix == ".csv":
-            _native.write_samples(str(file), self._free_body, *self._samples())
-        elif file.suffix == ".npz":
+        output = _native.Output("motion", file, [], bool(overwrite), "")
+        if output.format == "csv":
+            _native.write_samples(output, self._free_body, *self._samples())
+        else:
             bytes_of_file = io.BytesIO()
             diagnostics = {name: getattr(self, name) for name in _DIAGNOSTICS}
             np.savez(bytes_of_file, t=self.t, X=self.X, omega=self.omega, **diagnostics)
-            _native.write_file(file, bytes_of_file.getvalue())
-        else:
-            raise UsageError(f"path: must end in .csv or .npz, not {_arguments.brief(str(file))}")
+            _native.write_output(output, bytes_of_file.getvalue())
         return file
 
     def to_dataframe(self) -> pandas.DataFrame:

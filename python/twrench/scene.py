@@ -547,26 +547,40 @@ class Scene:
             warnings.warn(note, stacklevel=3)
         return page
 
-    def page(self, path: StrPath, *, lab: bool = False, template: StrPath | None = None) -> Path:
+    def page(
+        self,
+        path: StrPath,
+        *,
+        lab: bool = False,
+        template: StrPath | None = None,
+        overwrite: bool = False,
+    ) -> Path:
         """Writes an HTML file with an interactive view of the motion, as ``twrench page`` does.
 
         :param path: the file.
         :param lab: leave out the article, which explains why the body turns over.
         :param template: the page without a scene, as built by scripts/maintain/page.sh; None for the
             built-in one.
+        :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
         :returns: the path. The page needs no network and no server.
         :raises UsageError: for a scene that a page cannot show.
         :raises FileError: if the file cannot be written, or this build has no page.
+        :raises OverwriteError: if another file would be replaced.
         """
-        file = self._output(path)
-        page = self._page(
-            "" if template is None else _arguments.path("template", template), has_article=not lab
-        )
-        _native.write_file(file, page.html.encode("utf-8"))
-        return file
+        source = "" if template is None else _arguments.path("template", template)
+        output = self._output("page", path, overwrite, reads=[source] if source else [])
+        page = self._page(source, has_article=not lab)
+        _native.write_output(output, page.html.encode("utf-8"))
+        return output.path
 
     def report(
-        self, path: StrPath, *, author: str = "", date: str = "", static: bool = False
+        self,
+        path: StrPath,
+        *,
+        author: str = "",
+        date: str = "",
+        static: bool = False,
+        overwrite: bool = False,
     ) -> Path:
         """Writes a report on the motion, as ``twrench report`` does: theory, tables and figures.
 
@@ -574,13 +588,15 @@ class Scene:
         :param author: name of the author, shown below the title.
         :param date: date below the title, in any form.
         :param static: leave out the interactive page.
+        :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
         :returns: the path.
         :raises UsageError: for another ending.
         :raises MotionError: if the scene's method cannot compute the motion.
         :raises FileError: if a file cannot be written.
+        :raises OverwriteError: if another file would be replaced.
         :raises Error: if gnuplot, which draws the figures, is missing or fails.
         """
-        return write_report([self], path, author, date, static, solves_tasks=False)
+        return write_report([self], path, author, date, static, overwrite, solves_tasks=False)
 
     def export(
         self,
@@ -590,6 +606,7 @@ class Scene:
         max_angle: float = 1e-4,
         speed: float | None = None,
         epoch: str = "2026-01-01T00:00:00",
+        overwrite: bool = False,
     ) -> Path:
         """Writes the motion for other programs, as ``twrench export`` does.
 
@@ -601,49 +618,63 @@ class Scene:
         :param speed: for .glb, seconds of motion per second of the animation; None for 1, or for the
             speed of the film if real time is too fast or too slow.
         :param epoch: for .aem, date and time of t = 0, TAI.
+        :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
         :returns: the path.
         :raises UsageError: for a wrong argument or another ending.
         :raises FileError: if the file cannot be written.
+        :raises OverwriteError: if another file would be replaced.
         """
-        file = self._output(path)
+        name = "" if format is None else _arguments.text("format", format)
         with argument_names():
+            output = self._output("export", path, overwrite, format=name)
             notes = _native.export_motion(
                 self._snapshot(),
-                str(file),
-                "" if format is None else _arguments.text("format", format),
+                output,
                 _arguments.positive("max_angle", max_angle),
                 None if speed is None else _arguments.positive("speed", speed),
                 _arguments.text("epoch", epoch),
             )
         for note in notes:
             warnings.warn(note, stacklevel=2)
-        return file
+        return output.path
 
-    def plot(self, path: StrPath | None = None, *, overlay: bool = False) -> Any:
+    def plot(
+        self, path: StrPath | None = None, *, overlay: bool = False, overwrite: bool = False
+    ) -> Any:
         """Plots the nine components of X against time, with the flips marked.
 
         :param path: a file for gnuplot to draw, .svg, .pdf or .png, as in ``twrench plot``; or None.
         :param overlay: one panel per column of X instead of one per component.
+        :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
         :returns: a Matplotlib figure; without Matplotlib, the text of an SVG file.
         :raises UsageError: for another ending.
         :raises MotionError: if the scene's method cannot compute the motion.
         :raises FileError: if the file cannot be written.
+        :raises OverwriteError: if another file would be replaced.
         :raises Error: if gnuplot is needed, but is missing or fails.
         """
         if path is not None:
-            _native.draw_plot([self._snapshot()], str(self._output(path)), bool(overlay))
+            output = self._output("plot", path, overwrite)
+            _native.draw_plot([self._snapshot()], output, bool(overlay))
         try:
             from matplotlib.figure import Figure
         except ImportError:
             return _native.plot_svg(self._snapshot(), bool(overlay))
         return _matplotlib_figure(Figure, self, overlay)
 
-    def _output(self, path: StrPath) -> Path:
-        """The path of an output, which must not be an input of the scene."""
+    def _output(
+        self,
+        kind: str,
+        path: StrPath,
+        overwrite: bool,
+        *,
+        format: str = "",
+        reads: Iterable[StrPath] = (),
+    ) -> _native.Output:
+        """An output of that kind, which must not be an input of the scene or one of ``reads``."""
+        inputs = self._inputs + self._native.input_files() + [Path(file) for file in reads]
         file = Path(_arguments.path("path", path))
-        for source in self._inputs + self._native.input_files():
-            _native.require_not_input(file, source)
-        return file
+        return _native.Output(kind, file, inputs, bool(overwrite), format)
 
     def render(
         self,
@@ -742,21 +773,30 @@ def write_report(
     author: str,
     date: str,
     static: bool,
+    overwrite: bool,
     *,
     solves_tasks: bool,
 ) -> Path:
     """Writes a report for :meth:`Scene.report` or :func:`twrench.report`."""
-    file = [scene._output(path) for scene in scenes][0]
+    output = output_of_all("report", scenes, path, overwrite)
     reported = [
         (scene._snapshot(), scene._original, [scene._source, *_mesh_words(scene._of_mesh)])
         for scene in scenes
     ]
     author, date = _arguments.text("author", author), _arguments.text("date", date)
     with argument_names():
-        notes = _native.report(reported, str(file), author, date, bool(static), solves_tasks)
+        notes = _native.report(reported, output, author, date, bool(static), solves_tasks)
     for note in notes:
         warnings.warn(note, stacklevel=3)
-    return file
+    return output.path
+
+
+def output_of_all(
+    kind: str, scenes: Sequence[Scene], path: StrPath, overwrite: bool
+) -> _native.Output:
+    """An output that must not be an input of any of the scenes."""
+    inputs = [file for each in scenes for file in each._inputs + each._native.input_files()]
+    return scenes[0]._output(kind, path, overwrite, reads=inputs)
 
 
 #: Maximum number of characters of a page in a notebook, which would otherwise become too large.

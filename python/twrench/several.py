@@ -8,27 +8,35 @@ from typing import Any, Sequence
 from . import _arguments, _native
 from .errors import UsageError
 from .names import StrPath
-from .scene import Scene, write_report
+from .scene import Scene, output_of_all, write_report
 
 __all__ = ["plot", "report"]
 
 
-def plot(path: StrPath, scenes: Sequence[StrPath | Scene], *, overlay: bool = False) -> Path:
+def plot(
+    path: StrPath,
+    scenes: Sequence[StrPath | Scene],
+    *,
+    overlay: bool = False,
+    overwrite: bool = False,
+) -> Path:
     """Plots the nine components of X of several scenes against time, as ``twrench plot`` does.
 
     :param path: a file for gnuplot to draw, .svg, .pdf or .png.
     :param scenes: the scenes: names, files, or objects.
     :param overlay: one panel per column of X, and one row of panels per scene.
+    :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
     :returns: the path.
     :raises UsageError: for another ending, or no scene.
     :raises MotionError: if the method of a scene cannot compute its motion.
     :raises FileError: if the file cannot be written.
+    :raises OverwriteError: if another file would be replaced.
     :raises Error: if gnuplot is missing or fails.
     """
     drawn = _scenes(scenes)
-    file = [scene._output(path) for scene in drawn][0]
-    _native.draw_plot([scene._snapshot() for scene in drawn], str(file), bool(overlay))
-    return file
+    output = output_of_all("plot", drawn, path, overwrite)
+    _native.draw_plot([scene._snapshot() for scene in drawn], output, bool(overlay))
+    return output.path
 
 
 def report(
@@ -38,6 +46,7 @@ def report(
     author: str = "",
     date: str = "",
     static: bool = False,
+    overwrite: bool = False,
     **values: Any,
 ) -> Path:
     """Writes a report on several motions, or on the tasks of the course, as ``twrench report`` does.
@@ -47,11 +56,13 @@ def report(
     :param author: name of the author, shown below the title.
     :param date: date below the title, in any form.
     :param static: leave out the interactive page, which is that of the first scene.
+    :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
     :param values: values that replace those of each scene, as in :class:`Scene`.
     :returns: the path.
     :raises UsageError: for another ending or no scene, or for values without ``scenes``.
     :raises MotionError: if the method of a scene cannot compute its motion.
     :raises FileError: if a file cannot be written.
+    :raises OverwriteError: if another file would be replaced.
     :raises Error: if gnuplot, which draws the figures, is missing or fails.
     """
     if scenes is None and values:
@@ -60,7 +71,9 @@ def report(
     reported = [Scene(_arguments.path("scenes", name), **values) for name in names]
     if not reported:
         raise UsageError("scenes: must have at least one scene")
-    return write_report(reported, path, author, date, static, solves_tasks=scenes is None)
+    return write_report(
+        reported, path, author, date, static, overwrite, solves_tasks=scenes is None
+    )
 
 
 _NAMES = "a list of names of scenes"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Sequence
 
 import numpy as np
@@ -122,6 +123,7 @@ def study(
     wheel: Numbers | None = None,
     energy_loss_time: float | None = None,
     plot: StrPath | None = None,
+    overwrite: bool = False,
 ) -> Study:
     """Runs methods over a ladder of step sizes, or tolerances, and compares them with the exact motion.
 
@@ -139,8 +141,11 @@ def study(
         about the axis of greatest moment; None or infinity if no energy is lost.
     :param plot: a file, .svg, .pdf or .png, for a plot of order, work-precision and energy drift,
         which gnuplot draws; None for no plot. :func:`plots.study` draws with Matplotlib.
+    :param overwrite: let ``plot`` replace a file that twrench did not write, or that is of another
+        kind.
     :raises UsageError: for a wrong argument. If a method fails, its run has a ``failure`` instead.
     :raises FileError: if the plot cannot be written.
+    :raises OverwriteError: if another file would be replaced.
     :raises Error: if gnuplot is needed, but is missing or fails.
     """
     free_body = _free_body(body, omega, attitude, wheel, energy_loss_time)
@@ -149,13 +154,17 @@ def study(
         names = [name for name in all_names if free_body.has_closed_form or name != "exact"]
     else:
         names = _arguments.sequence("methods", methods, "a list of names")
+    output = None
+    if plot is not None:
+        file = Path(_arguments.path("plot", plot))
+        output = _native.Output("plot", file, [], bool(overwrite), "")
     result = _native.study(
         free_body,
         [_arguments.text("methods", name) for name in names],
         list(_arguments.array("steps", steps, (None,), "a one-dimensional array of steps in s")),
         list(_arguments.array("tolerances", tolerances, (None,), "a one-dimensional array")),
         _arguments.positive("duration", duration),
-        "" if plot is None else _arguments.path("plot", plot),
+        output,
     )
     by_method = {
         of.method: MethodStudy(of.method, of.order, [_run(of.method, run) for run in of.runs])

@@ -123,6 +123,7 @@ std::string beginning(const Comparison& comparison) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<meta name=\"generator\" content=\"twrench compare\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
       "img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
       "<title>{0}</title>\n<style>\n{1}</style>\n<header>\n<h1{2}>{0}</h1>\n"

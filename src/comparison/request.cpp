@@ -9,6 +9,7 @@
 #include "comparison/page.h"
 #include "image/png.h"
 #include "system/file.h"
+#include "system/file_list.h"
 #include "system/output.h"
 
 namespace twrench::comparison {
@@ -40,31 +41,37 @@ Inputs inputs_of(const Request& request) {
   return {request.expected, request.actual, actual_is_folder};
 }
 
-/// A wrong name may be that of another file, such as the manifest of the frames.
-void require_ending(const std::string& option, const std::string& file, const std::string& ending) {
-  if (file.empty() || std::filesystem::path(file).extension() == ending) return;
-  throw InvalidArgument(option + " " + file, "its name must end in " + ending);
-}
+/// The files that a request writes, besides accepted frames.
+struct OutputFiles {
+  std::optional<system::OutputFile> difference, page;
+};
 
-/// Throws OverwriteError if an output would replace an input.
-void require_free_outputs(const Request& request, const Inputs& inputs) {
-  system::require_different_outputs(request.difference, request.page);
-  for (const std::string& output : {request.difference, request.page}) {
-    if (output == "-")
-      throw InvalidArgument("compare", "standard output is used for the results", "name a file");
-    if (output.empty()) continue;
-    system::require_not_input(output, inputs.expected);
-    system::require_not_input(output, inputs.actual);
-    if (!inputs.folders) continue;
+/// Throws OverwriteError if an output would replace an input or another's file.
+OutputFiles output_files(const Request& request, const Inputs& inputs) {
+  system::FileList files(request.overwrite);
+  files.add_input(inputs.expected);
+  files.add_input(inputs.actual);
+  if (inputs.folders) {
     for (const FrameName& frame : frames_of(inputs)) {
-      system::require_not_input(output, inputs.expected_frame(frame.name));
-      system::require_not_input(output, inputs.actual_frame(frame.name));
+      files.add_input(inputs.expected_frame(frame.name));
+      files.add_input(inputs.actual_frame(frame.name));
     }
   }
+  const auto add = [&](const char* option, const std::string& file,
+                       const system::OutputKind& kind) -> std::optional<system::OutputFile> {
+    if (file == "-") {
+      throw InvalidArgument(option, "standard output is used for the results", "name a file");
+    }
+    if (file.empty()) return std::nullopt;
+    return files.add_output(kind, file);
+  };
+  return {add("--diff", request.difference, system::difference_picture),
+          add("--report", request.page, system::comparison_page)};
 }
 
 Comparison compare_two_files(const Request& request, const Inputs& files,
-                             const Criteria& criteria) {
+                             const std::optional<system::OutputFile>& difference) {
+  const Criteria& criteria = request.criteria;
   FrameResult frame;
   const auto actual = system::read_file(files.actual, image::max_png_size);
   std::error_code unknown;
@@ -75,11 +82,11 @@ Comparison compare_two_files(const Request& request, const Inputs& files,
     const auto expected = system::read_file(files.expected, image::max_png_size);
     const PngFile a{expected, files.expected.string()}, b{actual, files.actual.string()};
     frame = compare_pictures(a, b, criteria);
-    if (!request.difference.empty() && frame.outcome != Outcome::other_format) {
+    if (difference && frame.outcome != Outcome::other_format) {
       PicturePair pair(a, b);
       pair.ignore(criteria.ignored);
-      system::write_file_atomically(request.difference,
-                                    image::encode_png(pair.difference_image(criteria.edges)));
+      const auto png = image::encode_png(pair.difference_image(criteria.edges), "twrench");
+      system::write_output(*difference, {reinterpret_cast<const char*>(png.data()), png.size()});
     }
   }
   frame.name = files.actual.filename().string();
@@ -95,13 +102,11 @@ Comparison compare(const Request& request,
     throw InvalidArgument("--diff", "it is for two files",
                           "--report FILE.html shows the differences of folders");
   }
-  require_free_outputs(request, inputs);
-  require_ending("--diff", request.difference, ".png");
-  require_ending("--report", request.page, ".html");
+  const OutputFiles files = output_files(request, inputs);
   std::optional<system::Output> page;  // opened before the work, which may take minutes
-  if (!request.page.empty()) page.emplace(request.page);
+  if (files.page) page.emplace(*files.page);
   Comparison comparison = inputs.folders ? compare_folders(inputs, request.criteria, progress)
-                                         : compare_two_files(request, inputs, request.criteria);
+                                         : compare_two_files(request, inputs, files.difference);
   if (page) {
     write_page(comparison, [&](std::string_view text) { page->write(text); });
     page->finish();

@@ -19,11 +19,13 @@ struct Request {
   std::string page = {};
   /// Whether the expected file or folder may be missing, because it will be updated.
   bool may_be_new = false;
+  /// Whether the outputs may replace files of other kinds.
+  bool overwrite = false;
 };
 
 /// Compares two files or folders, and writes the difference and the page. `progress` is as for
-/// compare_folders(). Throws InvalidArgument if a file is compared with a folder, OverwriteError if
-/// an output is one of the inputs, and as compare_folders() and compare_pictures() do.
+/// compare_folders(). Throws InvalidArgument if a file is compared with a folder, OverwriteError as
+/// FileList does, and as compare_folders() and compare_pictures() do.
 Comparison compare(const Request& request,
                    const std::function<void(int done, int total)>& progress);
 

@@ -12,6 +12,7 @@
 #include "scene/reading_speed.h"
 #include "scene/scene_json.h"
 #include "system/file.h"
+#include "system/file_list.h"
 #include "system/processors.h"
 #include "video/frame_range.h"
 #include "video/video_file.h"
@@ -20,6 +21,22 @@ namespace twrench::film {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Throws OverwriteError if an output of the run is one of its inputs or another output.
+void require_separate_files(const scene::Scene& scene, const RenderSettings& settings) {
+  system::FileList files;
+  for (const fs::path& input : settings.inputs) files.add_input(input);
+  for (const fs::path& input : scene::input_files(scene)) files.add_input(input);
+  if (settings.video) {
+    files.add_output(settings.video->path);
+    for (const fs::path& track :
+         video::text_track_files(settings.video->path, settings.video->container)) {
+      files.add_output(track);
+    }
+  }
+  if (settings.frames_folder)
+    files.add_outputs(*settings.frames_folder, video::is_in_frames_folder);
+}
 
 /// A matrix in row-major order.
 template <std::size_t count, typename Matrix>
@@ -167,6 +184,7 @@ int default_job_count() {
 
 RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     : scene_(scene), settings_(std::move(settings)) {
+  require_separate_files(scene_, settings_);
   const std::vector<int> asked = asked_frames(scene_, settings_.range);  // of all shards
   const std::vector<int> numbers = video::frames_of_shard(asked, settings_.shard);
   if (settings_.video) {
@@ -206,8 +224,9 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
                             std::move(encoder_trial));
     // While the encoder waited for another run to end, that run may have written the video.
     if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
-    text_tracks_ = std::make_unique<video::TextTrackFiles>(settings_.video->path, tracks, identity,
-                                                           settings_.reuse == Reuse::overwrite);
+    text_tracks_ = std::make_unique<video::TextTrackFiles>(
+        settings_.video->path, settings_.video->container, tracks, identity,
+        settings_.reuse == Reuse::overwrite);
   }
   if (output_) sequence_ = &output_->open();
 }

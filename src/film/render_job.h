@@ -55,6 +55,8 @@ struct RenderSettings {
   /// Number of threads that compress frames, at least 1.
   int jobs = default_job_count();
   gl::BackendChoice backend;
+  /// The files that the caller has read for the scene, besides those that the scene names.
+  std::vector<std::filesystem::path> inputs;
   /// Ends the run with an error when another thread sets it to true; may be null.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -65,7 +67,8 @@ class RenderJob {
  public:
   /// Opens OpenGL and the outputs. All errors that can be detected in advance are thrown here,
   /// before the first frame: InvalidArgument, MotionError, GlError, EncoderError, FileError and
-  /// OverwriteError as the stages throw them, and SpaceError. Synthesises and encodes the sound.
+  /// OverwriteError as FileList and the stages throw them, and SpaceError. Synthesises and encodes
+  /// the sound.
   RenderJob(const scene::Scene& scene, RenderSettings settings);
 
   /// Returns the number of frames of the run.

@@ -25,7 +25,7 @@ void add_chunk(Bytes& file, std::string_view type, std::span<const std::uint8_t>
   add_number(file, crc32_gzip_refl(0, &file[checked], file.size() - checked));
 }
 
-Bytes encoded(const Image& image, const StaticPart* background) {
+Bytes encoded(const Image& image, const StaticPart* background, std::string_view software) {
   const auto allowed = [](int side) { return side >= 1 && side <= max_image_side; };
   if (!allowed(image.width) || !allowed(image.height)) {
     throw InvalidArgument(fmt::format("size {}x{}", image.width, image.height),
@@ -40,6 +40,12 @@ Bytes encoded(const Image& image, const StaticPart* background) {
   Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
   file.reserve(rows.size() + 100);
   add_chunk(file, "IHDR", header);
+  if (!software.empty()) {
+    constexpr std::string_view keyword{"Software\0", 9};  // PNG specification, 11.3.4.2
+    Bytes text(keyword.begin(), keyword.end());
+    text.insert(text.end(), software.begin(), software.end());
+    add_chunk(file, "tEXt", text);
+  }
   add_chunk(file, "IDAT", rows);
   add_chunk(file, "IEND", {});
   return file;
@@ -47,10 +53,12 @@ Bytes encoded(const Image& image, const StaticPart* background) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image) { return encoded(image, nullptr); }
+std::vector<std::uint8_t> encode_png(const Image& image, std::string_view software) {
+  return encoded(image, nullptr, software);
+}
 
 std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& background) {
-  return encoded(image, &background);
+  return encoded(image, &background, {});
 }
 
 }  // namespace twrench::image

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
@@ -17,8 +18,9 @@ namespace twrench::image {
 constexpr int max_image_side = 16384;
 
 /// Returns the image as a PNG file (8 bits per channel, not interlaced). Equal images give equal
-/// bytes. Thread-safe. Throws InvalidArgument if a side is not 1 to max_image_side.
-std::vector<std::uint8_t> encode_png(const Image& image);
+/// bytes. `software` names the program that wrote it; empty for a frame. Thread-safe. Throws
+/// InvalidArgument if a side is not 1 to max_image_side.
+std::vector<std::uint8_t> encode_png(const Image& image, std::string_view software = {});
 
 /// Returns the same bytes in less time if `background` shows that rows equal those of other frames.
 std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& background);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "interchange/aem.h"
@@ -71,19 +71,8 @@ constexpr std::array<ExportFormat, 4> formats{
 
 std::span<const ExportFormat> export_formats() { return formats; }
 
-const ExportFormat& export_format(const std::string& name, const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  for (const ExportFormat& format : formats) {
-    if (name == format.name) return format;
-    if (name.empty() && ending == std::string(".") + format.name) return format;
-  }
-  if (file == "-") {
-    throw InvalidArgument("--format", "is needed for standard output, which has no file extension",
-                          "give glb, aem, csv or json");
-  }
-  throw InvalidArgument(fmt::format("export {}", file),
-                        "its name must end in .glb, .aem, .csv or .json",
-                        "choose another name, or the format: --format glb, aem, csv or json");
+const ExportFormat& export_format(const system::OutputFormat& format) {
+  return *std::ranges::find(formats, format.name, &ExportFormat::name);
 }
 
 }  // namespace twrench::interchange

@@ -9,6 +9,7 @@
 #include "interchange/samples.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
+#include "system/output_kind.h"
 
 namespace twrench::interchange {
 
@@ -28,7 +29,7 @@ struct ExportOptions {
 inline constexpr scene::limits::Limit max_angle_limit{least_max_angle, scene::limits::huge,
                                                       "the limit of glTF's float32 numbers"};
 
-/// An export format, whose name is the extension of its files.
+/// An export format, which system::exported_motion has under the same name.
 struct ExportFormat {
   const char* name;
   /// Description of the format.
@@ -41,8 +42,7 @@ struct ExportFormat {
 /// Returns all formats.
 std::span<const ExportFormat> export_formats();
 
-/// Returns the format with that name or, if the name is empty, the format of the file's extension.
-/// Throws InvalidArgument if there is none; the file may be "-", which has no extension.
-const ExportFormat& export_format(const std::string& name, const std::string& file);
+/// Returns how a format of system::exported_motion is written.
+const ExportFormat& export_format(const system::OutputFormat& format);
 
 }  // namespace twrench::interchange

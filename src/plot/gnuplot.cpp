@@ -2,38 +2,43 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <filesystem>
-#include <span>
 #include <vector>
 
 #include "system/error.h"
-#include "system/file.h"
 #include "system/memory_file.h"
 #include "system/program.h"
 
 namespace twrench::plot {
 namespace {
 
-constexpr std::size_t longest_figure = 1U << 30U;  // Bytes.
+using namespace std::string_view_literals;
 
-/// An output format of gnuplot.
+/// An output format of gnuplot. A file gets the mark of system::plot_output, at a place where
+/// readers ignore it.
 struct Format {
-  std::string_view ending;
+  std::string_view name;
   std::string_view terminal;
   std::string_view last_bytes;  ///< the end of a complete file, ignoring white space
+  std::string_view mark;
+  std::size_t (*place_of_mark)(std::string_view file);
 };
 
-constexpr std::array<Format, 3> formats{{{".svg", "svg", "</svg>"},
-                                         {".pdf", "pdfcairo", "%%EOF"},
-                                         {".png", "pngcairo", "IEND\xae\x42\x60\x82"}}};
+/// After the signature and the header of a PNG file.
+constexpr std::size_t first_png_chunk = 33;
 
-const Format& format_of(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  for (const Format& format : formats) {
-    if (ending == format.ending) return format;
-  }
-  throw InvalidArgument(fmt::format("plot {}", path), "its name must end in .svg, .pdf or .png");
+constexpr std::array<Format, 3> formats{
+    {{"svg", "svg", "</svg>", "<!-- twrench -->\n",
+      [](std::string_view file) { return file.size(); }},
+     {"pdf", "pdfcairo", "%%EOF", "%twrench\n",
+      [](std::string_view file) { return file.rfind("startxref"); }},
+     {"png", "pngcairo", "IEND\xae\x42\x60\x82",
+      "\0\0\0\x10tEXtSoftware\0twrench\x7b\x14\xf3\xe5"sv,
+      [](std::string_view) { return first_png_chunk; }}}};
+
+const Format& gnuplot_format(const system::OutputFormat& format) {
+  return *std::ranges::find(formats, format.name, &Format::name);
 }
 
 /// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
@@ -50,11 +55,11 @@ system::ChildProcess start(const std::vector<std::string>& arguments,
 std::string terminal(const Format& format, const Plot& plot) {
   const std::string start =
       fmt::format("set encoding utf8\nset terminal {} enhanced size ", format.terminal);
-  if (format.ending == ".svg") {
+  if (format.name == "svg") {
     return start + fmt::format("{},{} font 'DejaVu Sans,13' background '#ffffff'\n", plot.width,
                                plot.height);
   }
-  if (format.ending == ".pdf") {
+  if (format.name == "pdf") {
     return start + fmt::format("{:.4f}in,{:.4f}in font 'DejaVu Sans,8' fontscale 1\n",
                                plot.width / 96.0, plot.height / 96.0);
   }
@@ -85,6 +90,15 @@ void require_complete(std::string_view text, const Format& format, const std::st
                           "check whether the disk is full");
 }
 
+/// Draws the whole file in memory.
+std::string drawn(const Format& format, const Plot& plot, const std::string& name) {
+  const system::MemoryFile file("");
+  draw(file.descriptor(), format, plot, name);
+  std::string text = file.contents();
+  require_complete(text, format, name);
+  return text;
+}
+
 }  // namespace
 
 std::string gnuplot_string(std::string_view text) {
@@ -97,36 +111,29 @@ std::string gnuplot_string(std::string_view text) {
   return result + '"';
 }
 
-void require_gnuplot(const std::string& path) {
-  const Format& format = format_of(path);
-  system::ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", format.terminal)});
+void require_gnuplot(const system::OutputFormat& format) {
+  const std::string_view terminal = gnuplot_format(format).terminal;
+  system::ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", terminal)});
   if (gnuplot.wait() == 0) return;
-  throw PlotError(fmt::format("gnuplot cannot write {}", path),
+  throw PlotError(fmt::format("gnuplot cannot write {} files", format.endings[0]),
                   system::error_summary(gnuplot.error_output()),
                   "install a build that can: apt-get install gnuplot-nox");
 }
 
-std::string svg(const Plot& plot) {
-  const system::MemoryFile file("");
-  draw(file.descriptor(), formats[0], plot, "the figure");
-  std::string text = file.contents();
-  require_complete(text, formats[0], "the figure");
-  return text;
+std::string svg(const Plot& plot) { return drawn(formats[0], plot, "the figure"); }
+
+std::unique_ptr<system::PendingFile> draw_pending_plot(const system::OutputFile& file,
+                                                       const Plot& plot) {
+  const Format& format = gnuplot_format(file.format());
+  auto pending = std::make_unique<system::PendingFile>(file.path());
+  std::string text = drawn(format, plot, file.path().string());
+  text.insert(format.place_of_mark(text), format.mark);
+  pending->write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  return pending;
 }
 
-std::unique_ptr<system::PendingFile> draw_pending_plot(const std::string& path, const Plot& plot) {
-  const Format& format = format_of(path);
-  auto file = std::make_unique<system::PendingFile>(path);
-  draw(file->descriptor(), format, plot, path);
-  if (!file->is_direct()) {
-    const std::vector<std::uint8_t> bytes = system::read_file(file->path(), longest_figure);
-    require_complete({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, format, path);
-  }
-  return file;
-}
-
-void draw_plot(const std::string& path, const Plot& plot) {
-  draw_pending_plot(path, plot)->commit();
+void draw_plot(const system::OutputFile& file, const Plot& plot) {
+  draw_pending_plot(file, plot)->commit();
 }
 
 }  // namespace twrench::plot

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "system/error.h"
+#include "system/file_list.h"
 #include "system/pending_file.h"
 
 namespace twrench::plot {
@@ -34,21 +35,21 @@ inline constexpr std::array<std::string_view, 13> palette{
 /// Returns the text as a quoted gnuplot string that reproduces it exactly.
 std::string gnuplot_string(std::string_view text);
 
-/// Checks that gnuplot can write the file; call it before any work. Throws InvalidArgument if the
-/// path does not end in .svg, .pdf or .png, PlotError if gnuplot is missing or cannot write that
-/// format.
-void require_gnuplot(const std::string& path);
+/// Checks that gnuplot can write a format of system::plot_output; call it before any work. Throws
+/// PlotError if gnuplot is missing or cannot write it.
+void require_gnuplot(const system::OutputFormat& format);
 
 /// Returns the plot as the text of an SVG file. Throws PlotError if gnuplot is missing or fails,
 /// and FileError if gnuplot left the plot incomplete.
 std::string svg(const Plot& plot);
 
-/// Draws the plot into a file that appears when it is committed. The file's extension selects the
-/// format. Throws as draw_plot() does.
-std::unique_ptr<system::PendingFile> draw_pending_plot(const std::string& path, const Plot& plot);
+/// Draws the plot into a file, one of system::plot_output, that appears when it is committed.
+/// Throws as draw_plot() does.
+std::unique_ptr<system::PendingFile> draw_pending_plot(const system::OutputFile& file,
+                                                       const Plot& plot);
 
-/// Draws the plot into the file, whose extension selects the format; the file appears complete or
-/// not at all. Throws as require_gnuplot() does, PlotError if gnuplot fails, and FileError.
-void draw_plot(const std::string& path, const Plot& plot);
+/// Draws the plot into the file, one of system::plot_output, which appears complete or not at all.
+/// Throws PlotError if gnuplot is missing or fails, and FileError.
+void draw_plot(const system::OutputFile& file, const Plot& plot);
 
 }  // namespace twrench::plot

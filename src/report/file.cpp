@@ -1,29 +1,20 @@
 #include "report/file.h"
 
-#include <twrench/base/error.h>
-
-#include <filesystem>
-
 #include "report/markdown.h"
 #include "system/output.h"
 
 namespace twrench::report {
 
-bool is_markdown(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  if (ending == ".md") return true;
-  if (ending == ".html" || file == "-") return false;
-  throw InvalidArgument("report " + file, "its name must end in .html or .md");
-}
-
-void write_report(const std::string& file, const Document& document, const Viewer* viewer) {
-  const bool markdown = is_markdown(file);
+void write_report(const system::OutputFile& file, const Document& document, const Viewer* viewer,
+                  system::FileList& files) {
+  const bool markdown = file.format().name == "markdown";
+  const FigureFiles figure_files =
+      markdown ? files_of_figures(document, file, files) : FigureFiles();
   system::Output output(file);
   const Write write = [&](std::string_view text) { output.write(text); };
-  const std::filesystem::path path(file);
   Figures figures;
   if (markdown) {
-    figures = write_markdown(document, path.parent_path(), path.stem().string(), write);
+    figures = write_markdown(document, figure_files, write);
   } else {
     write_html(document, viewer, write);
   }

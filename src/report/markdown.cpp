@@ -52,8 +52,7 @@ std::string link_destination(std::string_view file) {
 /// Writes the parts of a section.
 class MarkdownWriter {
  public:
-  MarkdownWriter(const std::filesystem::path& folder, const std::string& stem, const Write& write)
-      : folder_(folder), stem_(stem), write_(write) {}
+  MarkdownWriter(const FigureFiles& files, const Write& write) : files_(files), write_(write) {}
 
   void operator()(const Paragraph& paragraph) { write_(markdown(paragraph.text) + "\n\n"); }
 
@@ -71,10 +70,11 @@ class MarkdownWriter {
   }
 
   void operator()(const Figure& figure) {
-    const std::string file = file_of(figure);
-    pending_.push_back(plot::draw_pending_plot((folder_ / file).string(), figure.plot));
+    const system::OutputFile& file = files_[pending_.size()];
+    pending_.push_back(plot::draw_pending_plot(file, figure.plot));
     write_(fmt::format("![{0}]({1})\n\n**Figure {2}.** {0}\n{3}", markdown(figure.caption),
-                       link_destination(file), ++figures_, command_markdown({figure.command})));
+                       link_destination(file.path().filename().string()), pending_.size(),
+                       command_markdown({figure.command})));
   }
 
   void operator()(const Formula& formula) {
@@ -94,32 +94,41 @@ class MarkdownWriter {
   Figures figures() && { return std::move(pending_); }
 
  private:
-  /// Gives each figure a separate file, even if two scenes have the same name.
-  std::string file_of(const Figure& figure) {
-    std::string file = fmt::format("{}-{}.svg", stem_, figure.name);
-    for (int n = 2; !names_.insert(file).second; ++n) {
-      file = fmt::format("{}-{}-{}.svg", stem_, figure.name, n);
-    }
-    return file;
-  }
-
-  const std::filesystem::path& folder_;
-  const std::string& stem_;
+  const FigureFiles& files_;
   const Write& write_;
-  int tables_ = 0, figures_ = 0, formulas_ = 0;
-  std::set<std::string> names_;
+  int tables_ = 0, formulas_ = 0;
   Figures pending_;
 };
 
 }  // namespace
 
-Figures write_markdown(const Document& document, const std::filesystem::path& folder,
-                       const std::string& stem, const Write& write) {
+FigureFiles files_of_figures(const Document& document, const system::OutputFile& report,
+                             system::FileList& files) {
+  const std::filesystem::path folder = report.path().parent_path();
+  const std::string stem = report.path().stem().string();
+  FigureFiles figures;
+  std::set<std::string> names;
+  for (const Section& section : document.sections) {
+    for (const auto& part : section.content) {
+      const Figure* const figure = std::get_if<Figure>(&part);
+      if (figure == nullptr) continue;
+      // Two scenes may have the same name.
+      std::string name = fmt::format("{}-{}.svg", stem, figure->name);
+      for (int n = 2; !names.insert(name).second; ++n) {
+        name = fmt::format("{}-{}-{}.svg", stem, figure->name, n);
+      }
+      figures.push_back(files.add_output(system::plot_output, folder / name));
+    }
+  }
+  return figures;
+}
+
+Figures write_markdown(const Document& document, const FigureFiles& files, const Write& write) {
   write(fmt::format("# {}\n\n", markdown(document.title)));
   if (!document.author.empty()) write("Author: " + markdown(document.author) + "\n\n");
   if (!document.date.empty()) write("Date: " + markdown(document.date) + "\n\n");
   write(markdown(document.program) + "\n" + command_markdown({document.command}));
-  MarkdownWriter writer(folder, stem, write);
+  MarkdownWriter writer(files, write);
   for (const Section& section : document.sections) {
     write("## " + markdown(section.heading) + "\n\n");
     for (const auto& part : section.content) std::visit(writer, part);

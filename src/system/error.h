@@ -14,4 +14,9 @@ struct OverwriteError : Error {
   using Error::Error;
 };
 
+/// The file of an output exists, and is not one that the command may replace without permission.
+struct ExistingFileError : OverwriteError {
+  using OverwriteError::OverwriteError;
+};
+
 }  // namespace twrench::system

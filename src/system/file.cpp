@@ -100,29 +100,6 @@ void make_folder(const std::filesystem::path& folder) {
   }
 }
 
-void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input) {
-  std::error_code missing;
-  if (!std::filesystem::equivalent(output, input, missing)) return;
-  throw OverwriteError(output.string(), "it is an input of this command and would be overwritten",
-                       "choose another name for the output");
-}
-
-void require_different_outputs(const std::filesystem::path& a, const std::filesystem::path& b) {
-  namespace fs = std::filesystem;
-  std::error_code unknown;
-  const auto names_no_file = [&](const fs::path& path) {
-    return path.empty() || path == "-" || fs::is_other(path, unknown);
-  };
-  if (names_no_file(a) || names_no_file(b)) return;
-  const auto place_of = [&](const fs::path& path) {
-    const fs::path place = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
-    return place.has_filename() ? place : place.parent_path();  // "folder/" is "folder"
-  };
-  if (!fs::equivalent(a, b, unknown) && place_of(a) != place_of(b)) return;
-  throw OverwriteError(b.string(), "two outputs of this command would be written to this file",
-                       "choose another name for one of them");
-}
-
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   PendingFile file(path);
   file.write(bytes);

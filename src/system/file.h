@@ -22,14 +22,6 @@ FileError file_error(const std::string& what, int error_number, Access access = 
 /// Creates the folder and its missing ancestors. Throws FileError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Throws OverwriteError if `output` and `input` are the same file, under any names. Files that do
-/// not exist are not an error.
-void require_not_input(const std::filesystem::path& output, const std::filesystem::path& input);
-
-/// Throws OverwriteError if two outputs are the same file, under any names. An empty name and "-"
-/// name no file; a device can be shared.
-void require_different_outputs(const std::filesystem::path& a, const std::filesystem::path& b);
-
 /// Replaces the contents of `path` with exactly these bytes through a PendingFile. Throws
 /// FileError.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

@@ -8,8 +8,8 @@
 
 namespace twrench::system {
 
-Output::Output(const std::string& path) {
-  if (path != "-") file_.emplace(path);
+Output::Output(const OutputFile& file) {
+  if (file.path() != "-") file_.emplace(file.path());
 }
 
 void Output::write(std::string_view text) {
@@ -33,8 +33,14 @@ void Output::pass_on() {
   waiting_.clear();
 }
 
-void write_output(const std::string& path, std::string_view text) {
-  Output output(path);
+void write_output(const OutputFile& file, std::string_view text) {
+  Output output(file);
+  output.write(text);
+  output.finish();
+}
+
+void write_output(std::string_view text) {
+  Output output;
   output.write(text);
   output.finish();
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "system/error.h"
+#include "system/file_list.h"
 #include "system/pending_file.h"
 
 namespace twrench::system {
@@ -13,8 +14,11 @@ namespace twrench::system {
 /// pieces, so that it is never held in memory as a whole.
 class Output {
  public:
+  /// Writes to standard output.
+  Output() = default;
+
   /// Throws FileError.
-  explicit Output(const std::string& path);
+  explicit Output(const OutputFile& file);
 
   /// Throws FileError.
   void write(std::string_view text);
@@ -30,6 +34,9 @@ class Output {
 };
 
 /// Writes data that is already complete. Throws FileError.
-void write_output(const std::string& path, std::string_view text);
+void write_output(const OutputFile& file, std::string_view text);
+
+/// Writes data to standard output. Throws FileError.
+void write_output(std::string_view text);
 
 }  // namespace twrench::system

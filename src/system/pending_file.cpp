@@ -39,22 +39,6 @@ int named_descriptor(const fs::path& path) {
   return -1;
 }
 
-/// Returns the target of the links, which need not exist. Throws FileError if they form a loop.
-fs::path follow_links(const fs::path& target) {
-  constexpr int most_links = 40;  // As Linux.
-  fs::path path = target;
-  for (int n = 0; n < most_links; ++n) {
-    std::error_code failed;
-    if (named_descriptor(path) >= 0 || !fs::is_symlink(fs::symlink_status(path, failed))) {
-      return path;
-    }
-    const fs::path next = fs::read_symlink(path, failed);
-    if (failed) throw file_error(cannot_write(target), failed.value());
-    path = path.parent_path() / next;  // an absolute path replaces it
-  }
-  throw file_error(cannot_write(target), ELOOP);
-}
-
 /// Fits a path component of 255 bytes with room for prefix and suffix.
 std::string shortened(const std::string& name) { return name.substr(0, 200); }
 
@@ -120,10 +104,27 @@ void keep_mode_and_owner(const Descriptor& file, const struct stat& status) {
 
 }  // namespace
 
+bool is_named_descriptor(const fs::path& path) { return named_descriptor(path) >= 0; }
+
+fs::path link_target(const fs::path& target) {
+  constexpr int most_links = 40;  // As Linux.
+  fs::path path = target;
+  for (int n = 0; n < most_links; ++n) {
+    std::error_code failed;
+    if (is_named_descriptor(path) || !fs::is_symlink(fs::symlink_status(path, failed))) {
+      return path;
+    }
+    const fs::path next = fs::read_symlink(path, failed);
+    if (failed) throw file_error(cannot_write(target), failed.value());
+    path = path.parent_path() / next;  // an absolute path replaces it
+  }
+  throw file_error(cannot_write(target), ELOOP);
+}
+
 PendingFile::PendingFile(fs::path target, Links links)
     : target_(std::move(target)),
-      destination_(links == Links::follow ? follow_links(target_) : target_) {
-  const bool is_named = named_descriptor(destination_) >= 0;
+      destination_(links == Links::follow ? link_target(target_) : target_) {
+  const bool is_named = is_named_descriptor(destination_);
   const auto status = is_named ? std::nullopt : status_of(destination_, links);
   if (status) check_target(target_, destination_, *status, links);
   if (is_named || (status && is_device(*status))) {

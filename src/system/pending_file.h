@@ -18,6 +18,13 @@ enum class Links {
   replace,  ///< Replace the link by the file; its target is not ours to write.
 };
 
+/// Returns the target of the links, which need not exist; the path itself if it is no link. Throws
+/// FileError if the links form a loop.
+std::filesystem::path link_target(const std::filesystem::path& path);
+
+/// Returns whether the path names a descriptor of this process, as /dev/fd/3 does.
+bool is_named_descriptor(const std::filesystem::path& path);
+
 /// A new file next to `target`, under a unique name, which commit() renames to the target;
 /// otherwise it is removed, even if a signal ends the process. A reader of the target therefore
 /// finds it old, new or missing, never partial; SIGKILL leaves a hidden file ".NAME.PID-N.tmp". An

@@ -14,6 +14,7 @@
 #include "image/png.h"
 #include "system/error.h"
 #include "system/file.h"
+#include "system/file_list.h"
 #include "system/processors.h"
 #include "system/sha256.h"
 #include "video/encoder.h"
@@ -120,13 +121,15 @@ class FrameReader {
   std::deque<std::future<image::Image>> begun_;  ///< declared last, so that they are joined first
 };
 
-/// The video must not replace one of its inputs.
-void require_no_input(const std::filesystem::path& output, const std::filesystem::path& folder,
-                      const Manifest& manifest) {
-  for (const auto& path : manifests_in(folder)) system::require_not_input(output, path);
-  for (const FrameRecord& record : manifest.frames) {
-    system::require_not_input(output, folder / record.file);
-  }
+/// Throws OverwriteError if an output is one of the inputs or another output.
+void require_separate_files(const VideoOutput& output, const std::filesystem::path& folder,
+                            const Manifest& manifest) {
+  system::FileList files;
+  for (const auto& path : manifests_in(folder)) files.add_input(path);
+  for (const FrameRecord& record : manifest.frames) files.add_input(folder / record.file);
+  files.add_input(output.audio);
+  files.add_output(output.path);
+  for (const auto& track : text_track_files(output.path, output.container)) files.add_output(track);
 }
 
 /// The caption of a shot in the manifest's scene, which may come from an untrusted source.
@@ -202,8 +205,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   std::vector<int> missing = missing_frames(manifest, folder);
   const bool some_left = !manifest.frames.empty() && when_missing == MissingFrames::leave_out;
   if (!missing.empty() && !some_left) throw_missing(folder, missing);
-  require_no_input(output.path, folder, manifest);
-  system::require_not_input(output.path, output.audio);
+  require_separate_files(output, folder, manifest);
   set_sound(manifest, output);
   std::vector<int> shown(manifest.frames.size());
   std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
@@ -219,7 +221,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   VideoEncoder encoder(output.path, format, identity, tracks.chapters, {}, std::move(sound));
   // While the encoder waited for another run to end, that run may have written the video.
   if (!output.overwrite) require_replaceable(output.path, identity);
-  TextTrackFiles track_files(output.path, tracks, identity, output.overwrite);
+  TextTrackFiles track_files(output.path, output.container, tracks, identity, output.overwrite);
   FrameReader reader(manifest, folder);
   const int total = static_cast<int>(manifest.frames.size());
   for (int done = 0; done < total; progress(++done, total)) {

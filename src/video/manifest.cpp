@@ -64,6 +64,10 @@ bool equal_but_for_meshes(const nlohmann::ordered_json& a, const nlohmann::order
 
 }  // namespace
 
+bool is_in_frames_folder(const std::string& name) {
+  return is_manifest_name(name) || (name.starts_with("frame_") && name.ends_with(".png"));
+}
+
 std::string frame_file_name(int frame) { return fmt::format("frame_{:06}.png", frame); }
 
 void write_manifest(const Manifest& manifest, std::size_t count,

@@ -72,6 +72,9 @@ struct Manifest {
 /// Returns the file name of a frame, for example "frame_000012.png".
 std::string frame_file_name(int frame);
 
+/// Returns whether a run may write a file of this name in its folder of frames.
+bool is_in_frames_folder(const std::string& name);
+
 /// Returns whether the scene of a manifest, which may be of any form, has sound.
 bool has_sound(const nlohmann::ordered_json& scene);
 

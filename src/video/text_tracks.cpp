@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -110,13 +111,21 @@ std::string chapter_metadata(const std::vector<Cue>& chapters) {
   return text;
 }
 
-TextTrackFiles::TextTrackFiles(const fs::path& video, const TextTracks& tracks,
-                               const std::string& identity, bool overwrite) {
+std::vector<fs::path> text_track_files(const fs::path& video, Container container) {
   std::error_code failed;
-  if (video == "-" || (fs::exists(video, failed) && !fs::is_regular_file(video, failed))) return;
-  for (const auto& [cues, ending] :
-       {std::pair(&tracks.captions, ".vtt"), std::pair(&tracks.chapters, ".chapters.vtt")}) {
-    const fs::path path = fs::path(video).replace_extension(ending);
+  const bool is_device = fs::exists(video, failed) && !fs::is_regular_file(video, failed);
+  if (video == "-" || is_device || is_animated_image(container)) return {};
+  return {fs::path(video).replace_extension(".vtt"),
+          fs::path(video).replace_extension(".chapters.vtt")};
+}
+
+TextTrackFiles::TextTrackFiles(const fs::path& video, Container container, const TextTracks& tracks,
+                               const std::string& identity, bool overwrite) {
+  const std::array all{&tracks.captions, &tracks.chapters};  // in the order of the files
+  const std::vector<fs::path> paths = text_track_files(video, container);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const std::vector<Cue>* const cues = all.at(i);
+    const fs::path& path = paths[i];
     const std::string before = is_nonempty_file(path) ? head_of(path) : "";
     const bool is_own = is_track_of(before, identity);
     if (cues->empty()) {
@@ -124,7 +133,8 @@ TextTrackFiles::TextTrackFiles(const fs::path& video, const TextTracks& tracks,
       continue;
     }
     if (is_nonempty_file(path) && !is_own && !overwrite) {
-      throw system::OverwriteError(path.string(), "it exists and is a text track of another video");
+      throw system::ExistingFileError(path.string(),
+                                      "it exists and is a text track of another video");
     }
     const std::string text = web_vtt(*cues, identity);
     files_.emplace_back(path).write(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "system/pending_file.h"
+#include "video/codec.h"
 
 namespace twrench::video {
 
@@ -48,15 +49,20 @@ std::string web_vtt(const std::vector<Cue>& cues, const std::string& identity);
 /// that the frame shown at that time is the chapter's first and not the one before.
 std::string chapter_metadata(const std::vector<Cue>& chapters);
 
-/// The text tracks of a video as WebVTT files beside it: F.vtt for the captions, where players look
-/// for them, and F.chapters.vtt for the chapters. For an empty track no file is written, and an
-/// earlier one of the same video is removed; with `overwrite`, also one of another video. A video
-/// that is not a file has no such files. Nothing is written or removed before finish().
+/// Returns the files of a video's text tracks: F.vtt for the captions, where players look for them,
+/// and F.chapters.vtt for the chapters. A video that is not a file, and an animated image, have
+/// none.
+std::vector<std::filesystem::path> text_track_files(const std::filesystem::path& video,
+                                                    Container container);
+
+/// The text tracks of a video as WebVTT files. For an empty track no file is written, and an
+/// earlier one of the same video is removed; with `overwrite`, also one of another video. Nothing
+/// is written or removed before finish().
 class TextTrackFiles {
  public:
   /// `identity` is that of the video. Throws OverwriteError if a file exists and belongs to another
   /// video, unless `overwrite` is set, and FileError.
-  TextTrackFiles(const std::filesystem::path& video, const TextTracks& tracks,
+  TextTrackFiles(const std::filesystem::path& video, Container container, const TextTracks& tracks,
                  const std::string& identity, bool overwrite);
 
   /// Throws FileError.

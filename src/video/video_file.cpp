@@ -72,8 +72,8 @@ void require_replaceable(const fs::path& file, const std::string& identity) {
   const auto comment =
       probe_webp(file) ? std::optional<std::string>("") : run_ffprobe(file, {}, &comment_of);
   if (comment == identity) return;
-  throw system::OverwriteError(file.string(), comment ? "it exists and is a different video"
-                                                      : "it exists and is not a video");
+  throw system::ExistingFileError(file.string(), comment ? "it exists and is a different video"
+                                                         : "it exists and is not a video");
 }
 
 }  // namespace twrench::video

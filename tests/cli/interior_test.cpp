@@ -303,7 +303,8 @@ TEST(Interior, IsShownInPages) {
   if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
   const ScratchFolder folder;
   std::ofstream(folder / "t.html")
-      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
+      << "<!doctype html>\n<meta name=\"generator\" content=\"twrench\">"
+         "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
   std::ofstream(folder / "shot.toml") << "[body]\nmoments = [3, 4, 5]\n[[shot]]\nlength = 1\n"
                                          "[shot.motion]\nwheel = [0, 0, 1]\n";
   for (const auto& [words, value] :

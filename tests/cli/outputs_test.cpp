@@ -35,10 +35,13 @@ TEST(Outputs, OfOneCommandAreDifferentFiles) {
   const ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, "simulate --times 0,1,2 -o run.csv").code, 0);
   ASSERT_EQ(run_twrench(folder, frames_command).code, 0);
+  fs::create_symlink("x.svg", folder / "x.txt");
+  fs::create_symlink("nowhere/d", folder / "d.png");
+  fs::create_symlink("./nowhere/d", folder / "d.html");
   const auto before = folder.names().size();
   for (const char* command :
-       {"check run.csv -o x.svg --plot ./x.svg", "study --methods rk4 -o x.svg --plot x.svg",
-        "compare f/frame_000000.png f/frame_000001.png --diff d.png --report ./d.png"}) {
+       {"check run.csv -o x.txt --plot ./x.svg", "study --methods rk4 -o x.txt --plot x.svg",
+        "compare f/frame_000000.png f/frame_000001.png --diff d.png --report ./d.html"}) {
     expect_refused(run_twrench(folder, command), 2, "two outputs of this command");
   }
   EXPECT_EQ(folder.names().size(), before);
@@ -85,7 +88,7 @@ TEST(Outputs, OfTwoRunsAtOnceAreNotBothDone) {
                                     "-o new/a.mp4; code=$?; cp new/a.mp4 first.mp4; touch go; "
                                     "wait; exit $code");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(text_of(folder / "second"), "2\n");
+  EXPECT_EQ(text_of(folder / "second"), "5\n");
   EXPECT_THAT(run.err, HasSubstr("it exists and is a different video"));
   EXPECT_EQ(text_of(folder / "new/a.mp4"), text_of(folder / "first.mp4"));
 }
@@ -125,14 +128,14 @@ TEST(Outputs, AFilmOfAnotherSceneIsNotReplacedUnasked) {
   EXPECT_EQ(run_twrench(folder, film_command + "-o v.mp4").code, 0)
       << "the same film again loses nothing";
   const std::string before = text_of(folder / "v.mp4");
-  expect_refused(run_twrench(folder, film_command + "stable-y -o v.mp4"), 2, "a different video");
+  expect_refused(run_twrench(folder, film_command + "stable-y -o v.mp4"), 5, "a different video");
   ASSERT_EQ(run_twrench(folder, frames_command + "stable-y").code, 0);
-  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 2, "a different video");
+  expect_refused(run_twrench(folder, "encode f -o v.mp4 --progress none"), 5, "a different video");
   EXPECT_EQ(text_of(folder / "v.mp4"), before);
   EXPECT_EQ(run_twrench(folder, "encode f -o v.mp4 --progress none --overwrite").code, 0);
   EXPECT_NE(text_of(folder / "v.mp4"), before);
   system::write_file_atomically(folder / "notes.mkv", "not a film");
-  expect_refused(run_twrench(folder, film_command + "-o notes.mkv"), 2, "not a video");
+  expect_refused(run_twrench(folder, film_command + "-o notes.mkv"), 5, "not a video");
   EXPECT_EQ(text_of(folder / "notes.mkv"), "not a film");
 }
 

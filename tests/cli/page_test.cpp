@@ -22,8 +22,10 @@ using testing::StartsWith;
 /// A page with only a scene. scripts/maintain/page.sh builds the real one, which is tested in a
 /// browser.
 void write_template(const ScratchFolder& folder) {
-  std::ofstream(folder / "t.html") << "<title>{{title}}</title><h1>{{title}}</h1>\n"
-                                      "<!-- twrench:poster -->\n<!-- twrench:scene -->\n";
+  std::ofstream(folder / "t.html")
+      << "<!doctype html>\n<meta name=\"generator\" content=\"twrench\">\n"
+         "<title>{{title}}</title><h1>{{title}}</h1>\n"
+         "<!-- twrench:poster -->\n<!-- twrench:scene -->\n";
 }
 
 /// An OBJ file of 4 (n - 1) n triangles: an ellipsoid with waves, which cannot be simplified.

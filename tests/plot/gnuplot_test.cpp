@@ -41,10 +41,19 @@ class StubGnuplot {
   const std::string before_ = std::getenv("PATH");
 };
 
+std::string text_of(const std::filesystem::path& path) {
+  const auto bytes = system::read_file(path, 10'000'000);
+  return {bytes.begin(), bytes.end()};
+}
+
+system::OutputFile output(const std::filesystem::path& path) {
+  return system::FileList().add_output(system::plot_output, path);
+}
+
 template <typename Failure>
 Failure failure_of(const std::string& path) {
   try {
-    draw_plot(path, line);
+    draw_plot(output(path), line);
   } catch (const Failure& failure) {
     return failure;
   }
@@ -57,23 +66,29 @@ TEST(Gnuplot, DrawsEachFormatByTheFilesEnding) {
   for (const auto& [ending, start] :
        {std::pair{".svg", "<?xml"}, std::pair{".pdf", "%PDF-"}, std::pair{".png", "\x89PNG"}}) {
     const std::string path = scratch / (std::string("plot") + ending);
-    require_gnuplot(path);
-    draw_plot(path, line);
+    require_gnuplot(system::format_of(system::plot_output, path));
+    draw_plot(output(path), line);
     EXPECT_EQ(first_bytes(path, std::string_view(start).size()), start);
   }
   EXPECT_EQ(scratch.names().size(), 3U) << "a temporary file was left";
 }
 
-TEST(Gnuplot, RefusesOtherEndings) {
-  for (const char* path : {"a.bmp", "svg", "a.svg.txt", "-", ".png/a"}) {
-    EXPECT_THROW(require_gnuplot(path), InvalidArgument) << path;
+TEST(Gnuplot, MarksEachFileSoThatItMayBeReplaced) {
+  const ScratchFolder scratch;
+  for (const char* name : {"plot.svg", "plot.pdf", "plot.png"}) {
+    draw_plot(output(scratch / name), line);
+    EXPECT_NO_THROW(output(scratch / name)) << name;
+    std::string text = text_of(scratch / name);
+    text.erase(text.find(std::string(name).ends_with("png") ? "tEXt" : "twrench"), 4);
+    system::write_file_atomically(scratch / name, text);
+    EXPECT_THROW(output(scratch / name), system::ExistingFileError) << name;
   }
 }
 
 TEST(Gnuplot, TakesAnyNameAndAnyText) {
   const ScratchFolder scratch;
   const std::string odd = "a 'b' \"c\" \\ $(d) `e`\nf.svg";
-  draw_plot(scratch / odd,
+  draw_plot(output(scratch / odd),
             {400, 300, "plot x title " + gnuplot_string("`date` \\ é") + " noenhanced\n"});
   EXPECT_THAT(scratch.names(), ElementsAre(odd));
   const auto bytes = system::read_file(scratch / odd, 1'000'000);
@@ -83,7 +98,7 @@ TEST(Gnuplot, TakesAnyNameAndAnyText) {
 TEST(Gnuplot, TellsWhatGnuplotSaidAndLeavesNothing) {
   const ScratchFolder scratch;
   try {
-    draw_plot(scratch / "a.svg", {400, 300, "plot nonsense(x)\n"});
+    draw_plot(output(scratch / "a.svg"), {400, 300, "plot nonsense(x)\n"});
     FAIL();
   } catch (const PlotError& error) {
     EXPECT_THAT(error.what(), HasSubstr("nonsense"));
@@ -102,10 +117,10 @@ TEST(Gnuplot, AFileThatIsNotCompleteIsNotKept) {
 TEST(Gnuplot, LeavesTheUsersSettingsOut) {
   const ScratchFolder scratch;
   const std::string home = std::getenv("HOME") == nullptr ? "/" : std::getenv("HOME");
-  draw_plot(scratch / "a.svg", line);
+  draw_plot(output(scratch / "a.svg"), line);
   system::write_file_atomically(scratch / ".gnuplot", "set title 'mine'\nset terminal dumb\n");
   setenv("HOME", scratch.path().c_str(), 1);
-  draw_plot(scratch / "b.svg", line);
+  draw_plot(output(scratch / "b.svg"), line);
   setenv("HOME", home.c_str(), 1);
   EXPECT_EQ(system::read_file(scratch / "a.svg", 1'000'000),
             system::read_file(scratch / "b.svg", 1'000'000));
@@ -115,7 +130,7 @@ TEST(Gnuplot, LacksAFormat) {
   const ScratchFolder scratch;
   const StubGnuplot stub(scratch, "echo 'unknown terminal' >&2; exit 1\n");
   try {
-    require_gnuplot("a.pdf");
+    require_gnuplot(system::plot_output.formats[1]);
     FAIL();
   } catch (const PlotError& error) {
     EXPECT_THAT(error.what(), HasSubstr("unknown terminal"));

@@ -74,46 +74,6 @@ TEST(File, ThatMustBeRegularIsNotAPipe) {
   EXPECT_EQ(read_regular_file(scratch / "file", 10).size(), 1U);
 }
 
-TEST(File, AnInputIsNoOutput) {
-  const ScratchFolder scratch;
-  write_file_atomically(scratch / "a", std::string_view("x"));
-  write_file_atomically(scratch / "b", std::string_view("x"));
-  std::filesystem::create_symlink("a", scratch / "link");
-  std::filesystem::create_hard_link(scratch / "a", scratch / "hard");
-  for (const char* name : {"a", "link", "hard", "./a"}) {
-    EXPECT_THROW(require_not_input(scratch / name, scratch / "a"), OverwriteError) << name;
-  }
-  EXPECT_NO_THROW(require_not_input(scratch / "b", scratch / "a"));
-  EXPECT_NO_THROW(require_not_input(scratch / "new", scratch / "a"));
-  EXPECT_NO_THROW(require_not_input(scratch / "new", scratch / "none"));
-}
-
-TEST(File, TwoOutputsAreNotOneFile) {
-  const ScratchFolder folder;
-  const auto refuses = [](const std::filesystem::path& a, const std::filesystem::path& b) {
-    try {
-      require_different_outputs(a, b);
-      return false;
-    } catch (const OverwriteError&) {
-      return true;
-    }
-  };
-  write_file_atomically(folder / "old", "1");
-  std::filesystem::create_symlink("old", folder / "link");
-  std::filesystem::create_hard_link(folder / "old", folder / "hard");
-  std::filesystem::create_directory(folder / "sub");
-  EXPECT_TRUE(refuses(folder / "old", folder / "old"));
-  EXPECT_TRUE(refuses(folder / "old", folder / "link"));
-  EXPECT_TRUE(refuses(folder / "hard", folder / "old"));
-  EXPECT_TRUE(refuses(folder / "new", folder / "sub/../new")) << "neither is there yet";
-  EXPECT_FALSE(refuses(folder / "new", folder / "sub/new"));
-  EXPECT_FALSE(refuses(folder / "old", folder / "new"));
-  EXPECT_TRUE(refuses("not-there", "./not-there"));
-  EXPECT_FALSE(refuses("", ""));
-  EXPECT_FALSE(refuses("-", "-"));
-  EXPECT_FALSE(refuses("/dev/null", "/dev/null"));
-}
-
 TEST(File, SaysWhichFileCannotBeReadAndWhy) {
   const ScratchFolder scratch;
   EXPECT_EQ(failure([&] { read_file("/no/such.png", 10); }),

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "app/commands/commands.h"
-#include "app/options/arguments.h"
+#include "app/options/output_options.h"
 #include "app/reports/case_report.h"
 #include "system/output.h"
 
@@ -10,12 +10,13 @@ namespace twrench::app {
 namespace {
 
 struct CasesOptions {
+  explicit CasesOptions(CLI::App& command) : output(command, system::list_of_cases) {}
+
   std::string name;
-  std::string format = "text";
-  std::string output = "-";
+  OutputOptions output;
 };
 
-std::string list_of_cases(const std::string& format) {
+std::string list_of_cases(std::string_view format) {
   std::vector<cases::Case> problems;
   for (const std::string& name : cases::case_names()) {
     problems.push_back(cases::load_case(name, "case"));
@@ -24,7 +25,7 @@ std::string list_of_cases(const std::string& format) {
   return format == "csv" ? list_csv(problems) : list_text(problems);
 }
 
-std::string single_case(const std::string& name, const std::string& format) {
+std::string single_case(const std::string& name, std::string_view format) {
   const cases::Case problem = cases::load_case(name, "case");
   if (format == "json") return case_document(problem);
   return format == "csv" ? case_csv(problem) : case_text(problem);
@@ -38,14 +39,16 @@ void add_cases(CLI::App& app) {
   command->footer(
       "Example: twrench cases basilisk-spacecraft\n"
       "The CSV of one case is a table that twrench check --case reads.");
-  const auto options = std::make_shared<CasesOptions>();
+  const auto options = std::make_shared<CasesOptions>(*command);
   command->add_option("NAME", options->name, "name of a case; without it, all are listed");
-  add_format_option(*command, options->format, {"text", "json", "csv"});
-  add_output_option(*command, options->output);
   command->callback([options] {
-    system::write_output(options->output, options->name.empty()
-                                              ? list_of_cases(options->format)
-                                              : single_case(options->name, options->format));
+    system::FileList files = options->output.files();
+    const system::OutputFile file = options->name.empty()
+                                        ? options->output.add_to(files)
+                                        : options->output.add_to(files, system::case_output);
+    const std::string_view format = file.format().name;
+    system::write_output(
+        file, options->name.empty() ? list_of_cases(format) : single_case(options->name, format));
   });
 }
 

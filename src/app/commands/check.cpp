@@ -8,6 +8,7 @@
 #include "app/options/arguments.h"
 #include "app/options/check_setup.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/terminal/message.h"
 #include "check/report/checked_file.h"
 #include "check/report/report.h"
@@ -20,12 +21,13 @@ namespace twrench::app {
 namespace {
 
 struct CheckOptions {
+  explicit CheckOptions(CLI::App& command) : output(command, system::check_output) {}
+
   CheckSetup setup;
   std::vector<std::string> files;
   std::string steps;
   std::string max_attitude_error, max_rate_error, max_energy_drift;
-  std::string format = "text";
-  std::string output = "-";
+  OutputOptions output;
   std::string plot;
   bool no_fail = false;
 };
@@ -48,17 +50,17 @@ std::vector<double> given_steps(const CheckOptions& options) {
   return steps;
 }
 
-std::string report(const CheckOptions& options, const check::CheckResult& result) {
-  if (options.format == "json") return check::check_json(result);
-  return options.format == "junit" ? check::check_junit(result) : check::check_text(result);
+std::string report(std::string_view format, const check::CheckResult& result) {
+  if (format == "json") return check::check_json(result);
+  return format == "junit" ? check::check_junit(result) : check::check_text(result);
 }
 
-void draw(const std::string& path, const check::CheckResult& result) {
+void draw(const system::OutputFile& file, const check::CheckResult& result) {
   std::vector<plot::JudgedCurve> curves;
-  for (const check::CheckedFile& file : result.files) {
-    curves.push_back({std::filesystem::path(file.name).filename().string(), &file.judgement});
+  for (const check::CheckedFile& checked : result.files) {
+    curves.push_back({std::filesystem::path(checked.name).filename().string(), &checked.judgement});
   }
-  plot::draw_plot(path, plot::check_plot(curves));
+  plot::draw_plot(file, plot::check_plot(curves));
 }
 
 /// Reports the exceeded bounds.
@@ -75,20 +77,21 @@ ExitCode answer(const check::CheckResult& result, bool no_fail) {
 }
 
 ExitCode run_check(const CheckOptions& options) {
-  system::require_different_outputs(options.output, options.plot);
-  for (const std::string& file : options.files) {
-    system::require_not_input(options.output, file);
-    system::require_not_input(options.plot, file);
+  system::FileList files = options.output.files();
+  for (const std::string& file : options.files) files.add_input(file);
+  options.setup.add_inputs(files);
+  const system::OutputFile file = options.output.add_to(files);
+  std::optional<system::OutputFile> plot_file;
+  if (!options.plot.empty()) {
+    plot_file = files.add_output(system::plot_output, options.plot);
+    plot::require_gnuplot(plot_file->format());
   }
-  options.setup.require_not_input(options.output);
-  options.setup.require_not_input(options.plot);
-  if (!options.plot.empty()) plot::require_gnuplot(options.plot);
   const check::CheckResult result =
       check::check_files(options.files, given_steps(options), options.setup.convention(),
                          options.setup.problem(), bounds_of(options));
-  system::Output output(options.output);  // write both it and the plot, or neither
-  output.write(report(options, result));
-  if (!options.plot.empty()) draw(options.plot, result);
+  system::Output output(file);  // write both it and the plot, or neither
+  output.write(report(file.format().name, result));
+  if (plot_file) draw(*plot_file, result);
   output.finish();
   return answer(result, options.no_fail);
 }
@@ -115,8 +118,6 @@ void add_result_options(CLI::App& command, CheckOptions& options) {
       ->group(heading(OptionGroup::bounds));
   command.add_flag("--no-fail", options.no_fail, "exit 0 whatever the verdict")
       ->group(heading(OptionGroup::bounds));
-  add_format_option(command, options.format, {"text", "json", "junit"});
-  add_output_option(command, options.output);
   command
       .add_option("--plot", options.plot,
                   "plot errors and resolution limits against time: .svg, .pdf or .png")
@@ -133,7 +134,7 @@ void add_check(CLI::App& app, ExitCode& code) {
       "Example: twrench check run.csv --inertia 2,3,4 --units deg --max-rate-error 1e-6\n"
       "Exit codes: 0 the data follow the exact motion within their digits and noise, or within the "
       "given --max-... bounds; 1 they do not; 2 the file or the options cannot be used.");
-  const auto options = std::make_shared<CheckOptions>();
+  const auto options = std::make_shared<CheckOptions>(*command);
   command
       ->add_option("FILE", options->files,
                    "CSV, TSV, JSON or .npy file of times and rates, attitudes or both")

@@ -40,7 +40,7 @@ void parse(CLI::App& app, std::vector<std::string> words) try {
 } catch (const CLI::Success& request) {
   std::ostringstream text;
   app.exit(request, text, text);
-  system::write_output("-", text.str());
+  system::write_output(text.str());
 } catch (const CLI::ParseError& error) {
   throw usage_error(app, error);
 }

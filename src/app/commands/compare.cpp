@@ -38,6 +38,7 @@ struct CompareOptions {
   std::string diff, report;
   std::string format = "text";
   bool update = false;
+  bool overwrite = false;
 };
 
 /// Parses "X,Y,WxH", in pixels.
@@ -79,8 +80,8 @@ Criteria criteria_of(const CompareOptions& options) {
 }
 
 comparison::Request request_of(const CompareOptions& options) {
-  return {options.expected, options.actual, criteria_of(options),
-          options.diff,     options.report, options.update};
+  return {options.expected, options.actual, criteria_of(options), options.diff,
+          options.report,   options.update, options.overwrite};
 }
 
 Comparison compare_with_progress(const comparison::Request& request) {
@@ -98,7 +99,7 @@ Comparison compare_with_progress(const comparison::Request& request) {
 }
 
 void write_findings(const std::string& format, const Comparison& comparison) {
-  system::Output output("-");
+  system::Output output;
   const auto write = [&](std::string_view text) { output.write(text); };
   if (format == "json") {
     comparison::write_json(comparison, write);
@@ -175,7 +176,12 @@ void add_outputs(CLI::App& command, CompareOptions& options) {
                   "write a page with the differing pictures, the worst first")
       ->type_name("R.html")
       ->group(heading(OptionGroup::output));
-  add_format_option(command, options.format, {"text", "json", "junit"});
+  command.add_option("--format", options.format, "output format: text, json or junit")
+      ->check(one_of("--format", {"text", "json", "junit"}))
+      ->type_name("FORMAT")
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
+  add_overwrite_option(command, options.overwrite);
   command
       .add_flag("--update", options.update,
                 "replace the expected frames that differ with the actual ones, and add extra ones")

@@ -121,7 +121,7 @@ std::vector<Finding> examine_sound_codecs() {
 }
 
 std::string figure_formats() {
-  for (const char* path : {"figure.svg", "figure.pdf", "figure.png"}) plot::require_gnuplot(path);
+  for (const auto& format : system::plot_output.formats) plot::require_gnuplot(format);
   return "writes SVG, PDF and PNG";
 }
 
@@ -227,7 +227,7 @@ void add_doctor(CLI::App& app, ExitCode& code) {
       ->group(heading(OptionGroup::output));
   command->callback([format, &code] {
     const Diagnosis diagnosis = diagnose();
-    system::write_output("-", *format == "json" ? as_json(diagnosis) : as_text(diagnosis));
+    system::write_output(*format == "json" ? as_json(diagnosis) : as_text(diagnosis));
     code = diagnosis.code();
   });
 }

@@ -8,6 +8,7 @@
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "scene/limits.h"
@@ -17,14 +18,14 @@ namespace twrench::app {
 namespace {
 
 struct ExportOptions {
-  explicit ExportOptions(CLI::App& command) : scene(command) {
+  explicit ExportOptions(CLI::App& command)
+      : scene(command), output(command, system::exported_motion, OutputOptions::Otherwise::none) {
     scene.add_motion_options();
     scene.add_look_options();
   }
 
   SceneOptions scene;
-  std::string output;
-  std::string format;
+  OutputOptions output;
   std::string max_angle = "1e-4";
   std::string speed;
   std::string epoch = "2026-01-01T00:00:00";
@@ -41,14 +42,16 @@ interchange::ExportOptions parsed(const ExportOptions& options) {
 }
 
 void export_motion(const ExportOptions& options) {
-  options.scene.require_not_input(options.output);
-  const interchange::ExportFormat& format =
-      interchange::export_format(options.format, options.output);
+  system::FileList files = options.output.files();
+  options.scene.add_inputs(files);
+  const system::OutputFile file = options.output.add_to(files);
   const interchange::ExportOptions values = parsed(options);
   const scene::Scene scene = options.scene.scene();
-  system::Output output(options.output);
+  system::Output output(file);
   const std::vector<std::string> notes =
-      format.write(values, scene, [&](std::string_view text) { output.write(text); });
+      interchange::export_format(file.format()).write(values, scene, [&](std::string_view text) {
+        output.write(text);
+      });
   output.finish();
   for (const std::string& note : notes) warn(note);
 }
@@ -66,15 +69,6 @@ std::string export_footer() {
 }
 
 void add_export_options(CLI::App& command, ExportOptions& options) {
-  command.add_option("-o,--output", options.output, "output file, or - for standard output")
-      ->required()
-      ->type_name("FILE")
-      ->group(heading(OptionGroup::output));
-  command.add_option("--format", options.format, "output format: glb, aem, csv or json")
-      ->check(one_of("--format", {"glb", "aem", "csv", "json"}))
-      ->type_name("FORMAT")
-      ->default_str("the ending of the file")
-      ->group(heading(OptionGroup::output));
   command
       .add_option("--max-angle", options.max_angle,
                   "bound for the angle between the animation of .glb, at any instant, and the "

@@ -10,8 +10,7 @@
 #include <optional>
 
 #include "app/commands/commands.h"
-#include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "base/enumeration.h"
 #include "motion/phase.h"
@@ -24,11 +23,13 @@ namespace twrench::app {
 namespace {
 
 struct InertiaOptions {
-  explicit InertiaOptions(CLI::App& command) : scene(command) { scene.add_inertia_option(); }
+  explicit InertiaOptions(CLI::App& command)
+      : scene(command), output(command, system::inertia_output) {
+    scene.add_inertia_option();
+  }
 
   SceneOptions scene;
-  std::string format = "text";
-  std::string output = "-";
+  OutputOptions output;
 };
 
 std::string row(const auto& v) {
@@ -180,21 +181,21 @@ std::string json(const Described& described) {
   return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// Reads the mesh or the scene that the user named.
-Described describe(const InertiaOptions& options) {
+/// Reads the mesh or the scene that the user named, and adds its files to the inputs.
+Described describe(const InertiaOptions& options, system::FileList& files) {
   const std::string& name = options.scene.sources().front();
   if (!mesh::is_mesh_name(name)) {
-    options.scene.require_not_input(options.output);
+    options.scene.add_inputs(files);
     const scene::Scene scene = options.scene.scene();
     return {.name = scene.name,
             .body = scene::mass_properties(scene.body),
             .turn = turn_of(scene),
             .is_rigid = scene.motion.is_rigid()};
   }
-  system::require_not_input(options.output, name);
+  files.add_input(name);
   options.scene.require_no_overrides(name);
   MeshBody mesh = options.scene.mesh_options().read(name);
-  for (const auto& other : mesh.file.others) system::require_not_input(options.output, other);
+  for (const auto& other : mesh.file.others) files.add_input(other);
   return {.name = std::filesystem::path(name).stem().string(),
           .body = mesh.properties,
           .mesh = std::move(mesh.file)};
@@ -208,19 +209,11 @@ void add_inertia(CLI::App& app) {
       "Print mass, centre of mass, inertia matrix, principal moments and axes, geometric phase");
   command->footer("Example: twrench inertia bracket.stl --unit mm --density 7.8");
   const auto options = std::make_shared<InertiaOptions>(*command);
-  command->add_option("--format", options->format, "output format: text or json")
-      ->check(one_of("--format", {"text", "json"}))
-      ->type_name("FORMAT")
-      ->capture_default_str()
-      ->group(heading(OptionGroup::output));
-  command->add_option("-o,--output", options->output, "output file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group(heading(OptionGroup::output));
   command->callback([options] {
-    const Described described = describe(*options);
-    system::write_output(options->output,
-                         options->format == "text" ? text(described) : json(described));
+    system::FileList files = options->output.files();
+    const Described described = describe(*options, files);
+    const system::OutputFile file = options->output.add_to(files);
+    system::write_output(file, file.format().name == "text" ? text(described) : json(described));
   });
 }
 

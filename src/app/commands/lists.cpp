@@ -20,7 +20,7 @@ void add_methods(CLI::App& app) {
       const std::string order = m.exact() ? "exact  " : fmt::format("order {}", m.order.value());
       text += fmt::format("{:<19}{}  {}; {}\n", m.name, order, m.summary, m.source);
     }
-    system::write_output("-", text);
+    system::write_output(text);
   });
 }
 
@@ -33,7 +33,7 @@ void add_scenes(CLI::App& app) {
       const scene::Scene scene = scene::load_scene(name);
       text += fmt::format("{:<13} {}; {}\n", name, scene.title, motion_summary(scene));
     }
-    system::write_output("-", text);
+    system::write_output(text);
   });
 }
 

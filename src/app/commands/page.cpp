@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/reports/poster.h"
 #include "app/terminal/message.h"
@@ -17,21 +18,25 @@ namespace twrench::app {
 namespace {
 
 struct PageOptions {
-  explicit PageOptions(CLI::App& command) : scenes(command) {
+  explicit PageOptions(CLI::App& command)
+      : scenes(command), output(command, system::page_output, OutputOptions::Otherwise::none) {
     scenes.add_motion_options();
     scenes.add_look_options();
   }
 
   SceneOptions scenes;
-  std::string output;
+  OutputOptions output;
   std::string template_file;
   bool all = false;
   bool is_lab = false;
 };
 
-void require_not_input(const PageOptions& options, const std::filesystem::path& output) {
-  options.scenes.require_not_input(output);
-  if (!options.template_file.empty()) system::require_not_input(output, options.template_file);
+/// The files that the command reads.
+system::FileList inputs_of(const PageOptions& options) {
+  system::FileList files = options.output.files();
+  options.scenes.add_inputs(files);
+  files.add_input(options.template_file);
+  return files;
 }
 
 /// The page of a scene with its picture.
@@ -52,37 +57,38 @@ ScenePage page_of(const PageOptions& options, const std::string& empty, const sc
 }
 
 void write_page(const PageOptions& options) {
-  require_not_input(options, options.output);
+  system::FileList files = inputs_of(options);
+  const system::OutputFile file = options.output.add_to(files);
   const std::string empty = page::page_template(options.template_file);
-  system::write_output(options.output, page_of(options, empty, options.scenes.scene(), 0).html);
+  system::write_output(file, page_of(options, empty, options.scenes.scene(), 0).html);
 }
 
 /// Writes the pages of all built-in scenes to a folder, and last their index.
 void write_site(PageOptions& options) {
-  if (options.output == "-") {
+  if (options.output.path() == "-") {
     throw InvalidArgument("--all", "writes a folder, which standard output cannot be",
                           "name the folder: -o site");
   }
   options.scenes.use_builtin_scenes("--all");
-  const std::filesystem::path folder = options.output, index = folder / "index.html";
-  const auto file_of = [&](const scene::Scene& scene) { return folder / (scene.name + ".html"); };
+  const std::filesystem::path folder = options.output.path();
   const std::vector<scene::Scene> scenes = options.scenes.scenes();
-  require_not_input(options, index);
+  system::FileList files = inputs_of(options);
+  const system::OutputFile index = files.add_output(system::index_output, folder / "index.html");
+  std::vector<system::OutputFile> page_files;
   for (const scene::Scene& scene : scenes) {
-    require_not_input(options, file_of(scene));
+    page_files.push_back(files.add_output(system::page_output, folder / (scene.name + ".html")));
     page::require_shown(scene);
   }
   const std::string empty = page::page_template(options.template_file);
   system::make_folder(folder);
   std::vector<page::SiteEntry> entries;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const std::filesystem::path file = file_of(scenes[i]);
     ScenePage page = page_of(options, empty, scenes[i], i);
-    system::write_file_atomically(file, page.html);
-    entries.push_back({file.filename().string(), scenes[i].shown_title(),
+    system::write_output(page_files[i], page.html);
+    entries.push_back({page_files[i].path().filename().string(), scenes[i].shown_title(),
                        motion_summary(page::shown_scene(scenes[i])), std::move(page.poster)});
   }
-  system::write_file_atomically(index, page::site_html(entries));
+  system::write_output(index, page::site_html(entries));
 }
 
 }  // namespace
@@ -94,12 +100,8 @@ void add_page(CLI::App& app) {
                   "The page needs no network and no server: it can be mailed.\n"
                   "Example: twrench page dzhanibekov -o flip.html");
   const auto options = std::make_shared<PageOptions>(*command);
-  command
-      ->add_option("-o,--output", options->output,
-                   "output file, or - for standard output; with --all a folder")
-      ->required()
-      ->type_name("FILE")
-      ->group(heading(OptionGroup::output));
+  CLI::Option& output = *command->get_option("--output");
+  output.description(output.get_description() + "; with --all a folder");
   command
       ->add_flag("--all", options->all,
                  "write the pages of all built-in scenes, and index.html with a picture of each")

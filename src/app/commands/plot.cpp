@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "plot/attitude_plot.h"
 #include "report/attitude_curve.h"
@@ -11,24 +12,27 @@ namespace twrench::app {
 namespace {
 
 struct PlotOptions {
-  explicit PlotOptions(CLI::App& command) : scenes(command, SceneOptions::Count::several) {
+  explicit PlotOptions(CLI::App& command)
+      : scenes(command, SceneOptions::Count::several),
+        output(command, system::plot_output, OutputOptions::Otherwise::none) {
     scenes.add_motion_options();
   }
 
   SceneOptions scenes;
-  std::string output;
+  OutputOptions output;
   bool overlay = false;
 };
 
 void plot(const PlotOptions& options) {
-  options.scenes.require_not_input(options.output);
-  plot::require_gnuplot(options.output);
+  system::FileList files = options.output.files();
+  options.scenes.add_inputs(files);
+  const system::OutputFile file = options.output.add_to(files);
+  plot::require_gnuplot(file.format());
   std::vector<plot::AttitudeCurve> curves;
   for (const scene::Scene& scene : options.scenes.scenes()) {
     curves.push_back(report::attitude_curve(scene));
   }
-  plot::draw_plot(options.output,
-                  options.overlay ? plot::column_panels(curves) : plot::nine_panels(curves));
+  plot::draw_plot(file, options.overlay ? plot::column_panels(curves) : plot::nine_panels(curves));
 }
 
 }  // namespace
@@ -39,10 +43,6 @@ void add_plot(CLI::App& app) {
   command->footer(std::string(about_defaults) +
                   "Example: twrench plot dzhanibekov stable-y stable-z -o components.svg");
   const auto options = std::make_shared<PlotOptions>(*command);
-  command->add_option("-o,--output", options->output, "plot file: .svg, .pdf or .png")
-      ->required()
-      ->type_name("FILE")
-      ->group(heading(OptionGroup::output));
   command
       ->add_flag("--overlay", options->overlay,
                  "one panel per column of X, one row of panels per scene")

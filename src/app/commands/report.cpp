@@ -7,6 +7,7 @@
 
 #include "app/commands/commands.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/report_commands.h"
 #include "app/options/scene_options.h"
 #include "app/reports/poster.h"
@@ -26,13 +27,16 @@ const std::vector<std::string> three_experiments{"dzhanibekov", "stable-y", "sta
 
 struct ReportOptions {
   explicit ReportOptions(CLI::App& app)
-      : command(app), scenes(app, SceneOptions::Count::several, three_experiments) {
+      : command(app),
+        scenes(app, SceneOptions::Count::several, three_experiments),
+        output(app, system::report_output, OutputOptions::Otherwise::none) {
     scenes.add_motion_options();
   }
 
   CLI::App& command;
   SceneOptions scenes;
-  std::string output, author, date;
+  OutputOptions output;
+  std::string author, date;
   bool is_static = false;
 
   /// Whether this is the course's report: its experiments, unchanged.
@@ -71,7 +75,7 @@ report::Document document_of(const ReportOptions& options,
                                  : experiments.front().scene.shown_title(),
           text::escape(options.author),
           text::escape(options.date),
-          text::escape(report_command_line(options.command, options.scenes, options.output,
+          text::escape(report_command_line(options.command, options.scenes, options.output.path(),
                                            options.is_static)),
           std::string("twrench ") + version,
           options.solves_tasks() ? report::report_on_tasks(experiments, report::task_commands())
@@ -79,10 +83,11 @@ report::Document document_of(const ReportOptions& options,
 }
 
 void write_report(const ReportOptions& options) {
-  options.scenes.require_not_input(options.output);
-  const bool markdown = report::is_markdown(options.output);
-  plot::require_gnuplot("figure.svg");
-  const bool interactive = !markdown && !options.is_static;
+  system::FileList files = options.output.files();
+  options.scenes.add_inputs(files);
+  const system::OutputFile file = options.output.add_to(files);
+  plot::require_gnuplot(system::plot_output.formats.front());
+  const bool interactive = file.format().name == "html" && !options.is_static;
   const std::string empty = interactive ? page::page_template({}) : std::string();
   const std::vector<report::Experiment> experiments = experiments_of(options);
   const report::Document document = document_of(options, experiments);
@@ -92,7 +97,7 @@ void write_report(const ReportOptions& options) {
                                report::argument_of(options.scenes.sources().front()),
                                options.scenes.mesh_options().given()});
   }
-  report::write_report(options.output, document, viewer ? &*viewer : nullptr);
+  report::write_report(file, document, viewer ? &*viewer : nullptr, files);
 }
 
 }  // namespace
@@ -106,12 +111,6 @@ void add_report(CLI::App& app) {
       "dzhanibekov, stable-y and stable-z. The figures of Markdown are files beside it.\n"
       "Example: twrench report --author \"A. Student\" -o report.html");
   const auto options = std::make_shared<ReportOptions>(*command);
-  command
-      ->add_option("-o,--output", options->output,
-                   "output file, .html or .md, or - for HTML on standard output")
-      ->required()
-      ->type_name("FILE")
-      ->group(heading(OptionGroup::output));
   command->add_option("--author", options->author, "who wrote it, shown below the title")
       ->type_name("TEXT")
       ->group(heading(OptionGroup::output));

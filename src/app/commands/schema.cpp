@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/options/arguments.h"
+#include "app/options/output_options.h"
 #include "scene/scene_schema.h"
 #include "system/output.h"
 
@@ -17,10 +17,11 @@ void add_schema(CLI::App& app) {
       "with\n"
       "#:schema ./twrench.schema.json\n"
       "Example: twrench schema -o twrench.schema.json");
-  const auto output = std::make_shared<std::string>("-");
-  add_output_option(*command, *output);
-  command->callback(
-      [output] { system::write_output(*output, scene::scene_schema().dump(2) + "\n"); });
+  const auto output = std::make_shared<OutputOptions>(*command, system::schema_output);
+  command->callback([output] {
+    system::FileList files = output->files();
+    system::write_output(output->add_to(files), scene::scene_schema().dump(2) + "\n");
+  });
 }
 
 }  // namespace twrench::app

@@ -4,6 +4,7 @@
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "interchange/samples.h"
 #include "scene/limits.h"
@@ -13,12 +14,14 @@ namespace twrench::app {
 namespace {
 
 struct SimulateOptions {
-  explicit SimulateOptions(CLI::App& command) : scene(command) { scene.add_motion_options(); }
+  explicit SimulateOptions(CLI::App& command)
+      : scene(command), output(command, system::motion_output) {
+    scene.add_motion_options();
+  }
 
   SceneOptions scene;
+  OutputOptions output;
   std::string times;
-  std::string format = "csv";
-  std::string output = "-";
 };
 
 std::vector<double> times_asked_for(const SimulateOptions& options) {
@@ -30,13 +33,15 @@ std::vector<double> times_asked_for(const SimulateOptions& options) {
 }
 
 void simulate(const SimulateOptions& options) {
-  options.scene.require_not_input(options.output);
+  system::FileList files = options.output.files();
+  options.scene.add_inputs(files);
+  const system::OutputFile file = options.output.add_to(files);
   const scene::Scene scene = options.scene.scene();
   const std::vector<double> times =
       options.times.empty() ? std::vector<double>() : times_asked_for(options);
-  system::Output output(options.output);
+  system::Output output(file);
   interchange::write_trajectory([&](std::string_view text) { output.write(text); }, scene,
-                                options.format, times);
+                                std::string(file.format().name), times);
   output.finish();
 }
 
@@ -52,8 +57,6 @@ void add_simulate(CLI::App& app) {
       ->type_name("T1,T2,...")
       ->default_str("every 1/fps")
       ->group(heading(OptionGroup::motion));
-  add_format_option(*command, options->format, {"csv", "json"});
-  add_output_option(*command, options->output);
   command->callback([options] { simulate(*options); });
 }
 

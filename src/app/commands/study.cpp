@@ -5,10 +5,12 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/reports/study_report.h"
 #include "app/terminal/message.h"
@@ -16,7 +18,6 @@
 #include "plot/study_plot.h"
 #include "scene/limits.h"
 #include "study/ladder.h"
-#include "system/file.h"
 #include "system/output.h"
 #include "text/escape.h"
 
@@ -24,14 +25,14 @@ namespace twrench::app {
 namespace {
 
 struct StudyOptions {
-  explicit StudyOptions(CLI::App& command) : app(command), scene(command) {}
+  explicit StudyOptions(CLI::App& command)
+      : app(command), scene(command), output(command, system::study_output) {}
 
   CLI::App& app;
   SceneOptions scene;
   std::string methods, steps, tolerances;
   std::string max_error, max_energy_drift, max_flip_error;
-  std::string format = "text";
-  std::string output = "-";
+  OutputOptions output;
   std::string plot;
 };
 
@@ -124,29 +125,32 @@ ExitCode verdict(const study::Study& study, const std::vector<Bound>& bounds) {
   return code;
 }
 
-std::string report(const StudyOptions& options, const study::Study& study,
-                   const scene::Scene& scene) {
-  if (options.format == "csv") return study_csv(study);
-  return options.format == "json" ? study_json(study, scene.name)
-                                  : study_text(study, text::escape(scene.name));
+std::string report(std::string_view format, const study::Study& study, const scene::Scene& scene) {
+  if (format == "csv") return study_csv(study);
+  return format == "json" ? study_json(study, scene.name)
+                          : study_text(study, text::escape(scene.name));
 }
 
 ExitCode run_study(const StudyOptions& options) {
-  system::require_different_outputs(options.output, options.plot);
-  options.scene.require_not_input(options.output);
-  options.scene.require_not_input(options.plot);
-  if (!options.plot.empty()) plot::require_gnuplot(options.plot);
+  system::FileList files = options.output.files();
+  options.scene.add_inputs(files);
+  const system::OutputFile file = options.output.add_to(files);
+  std::optional<system::OutputFile> plot_file;
+  if (!options.plot.empty()) {
+    plot_file = files.add_output(system::plot_output, options.plot);
+    plot::require_gnuplot(plot_file->format());
+  }
   const std::vector<Bound> bounds = bounds_of(options);
   const scene::Scene scene = options.scene.scene();
   const study::StudyPlan plan = plan_of(options, scene);
-  if (!options.plot.empty() && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
+  if (plot_file && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("--plot", "the exact method alone has no steps to plot");
   }
   const motion::FreeBody body = scene::free_body(scene);
   const study::Study result = study::run_study(body, plan);
-  system::Output output(options.output);  // write both it and the plot, or neither
-  output.write(report(options, result, scene));
-  if (!options.plot.empty()) plot::draw_plot(options.plot, plot::study_plot(result));
+  system::Output output(file);  // write both it and the plot, or neither
+  output.write(report(file.format().name, result, scene));
+  if (plot_file) plot::draw_plot(*plot_file, plot::study_plot(result));
   output.finish();
   return verdict(result, bounds);
 }
@@ -180,8 +184,6 @@ void add_options(CLI::App& command, StudyOptions& options) {
                   "exit 1 if any run misses a flip, or its time by more than this, s")
       ->type_name("S")
       ->group(heading(OptionGroup::bounds));
-  add_format_option(command, options.format, {"text", "csv", "json"});
-  add_output_option(command, options.output);
   command
       .add_option("--plot", options.plot,
                   "plot order, work-precision and energy drift: .svg, .pdf or .png")

@@ -119,25 +119,6 @@ CLI::Validator one_of(const std::string& what, std::vector<std::string> names) {
   return {check, description};
 }
 
-void add_format_option(CLI::App& command, std::string& format,
-                       const std::vector<std::string>& formats) {
-  command
-      .add_option("--format", format,
-                  fmt::format("output format: {} or {}",
-                              fmt::join(formats.begin(), formats.end() - 1, ", "), formats.back()))
-      ->check(one_of("--format", formats))
-      ->type_name("FORMAT")
-      ->capture_default_str()
-      ->group(heading(OptionGroup::output));
-}
-
-void add_output_option(CLI::App& command, std::string& output) {
-  command.add_option("-o,--output", output, "output file, or - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str()
-      ->group(heading(OptionGroup::output));
-}
-
 void add_progress_option(CLI::App& command, std::string& style) {
   command
       .add_option("--progress", style,

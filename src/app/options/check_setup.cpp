@@ -186,12 +186,10 @@ check::Convention CheckSetup::convention() const {
   return given;
 }
 
-void CheckSetup::require_not_input(const std::filesystem::path& output) const {
+void CheckSetup::add_inputs(system::FileList& files) const {
   if (scene_name_.empty()) return;
-  system::require_not_input(output, scene_name_);
-  for (const std::filesystem::path& file : scene::input_files(scene())) {
-    system::require_not_input(output, file);
-  }
+  files.add_input(scene_name_);
+  for (const std::filesystem::path& file : scene::input_files(scene())) files.add_input(file);
 }
 
 }  // namespace twrench::app

@@ -25,8 +25,8 @@ class CheckSetup {
   /// Returns how files are to be read, as far as the options determine it. Throws InvalidArgument.
   check::Convention convention() const;
 
-  /// Throws OverwriteError if `output` is the scene file.
-  void require_not_input(const std::filesystem::path& output) const;
+  /// Adds the scene file, and all files that it names, to the inputs. Throws OverwriteError.
+  void add_inputs(system::FileList& files) const;
 
  private:
   Eigen::Matrix3d inertia() const;

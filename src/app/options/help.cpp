@@ -181,7 +181,7 @@ void add_help(CLI::App& app) {
     }
     if (asked == &app && !word->empty()) throw unknown_name("command", *word, names);
     const std::string name = app.get_name() + (word->empty() ? "" : " " + *word);
-    system::write_output("-", help_text(*asked, name, Detail::most_used));
+    system::write_output(help_text(*asked, name, Detail::most_used));
   });
 }
 

@@ -11,7 +11,6 @@
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
 #include "scene/limits.h"
-#include "system/file.h"
 
 namespace twrench::app {
 namespace {
@@ -163,11 +162,8 @@ film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
         video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
     settings.video =
         film::VideoOutput{path, container(), video.chapters_in(container()), video.quality()};
-    if (!video.is_streamed()) scene.require_not_input(path);
-    if (settings.frames_folder) {
-      twrench::system::require_different_outputs(path, *settings.frames_folder);
-    }
   }
+  for (const std::string& source : scene.sources()) settings.inputs.emplace_back(source);
   settings.range = range;
   settings.shard = shard;
   settings.reuse = overwrite ? film::Reuse::overwrite

@@ -244,11 +244,11 @@ void SceneOptions::use_builtin_scenes(const std::string& option) {
   names_ = scene::builtin_scene_names();
 }
 
-void SceneOptions::require_not_input(const std::filesystem::path& output) const {
-  for (const std::string& name : names_) twrench::system::require_not_input(output, name);
+void SceneOptions::add_inputs(twrench::system::FileList& files) const {
+  for (const std::string& name : names_) files.add_input(name);
   for (const Loaded& scene : load()) {
     for (const std::filesystem::path& file : scene::input_files(scene.overridden)) {
-      twrench::system::require_not_input(output, file);
+      files.add_input(file);
     }
   }
 }

@@ -10,7 +10,7 @@
 #include "app/options/option_group.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
-#include "system/error.h"
+#include "system/file_list.h"
 
 namespace twrench::app {
 
@@ -83,9 +83,9 @@ class SceneOptions {
   /// Throws InvalidArgument if an option would override a value of `name`, which is not a scene.
   void require_no_overrides(const std::string& name) const;
 
-  /// Throws OverwriteError if `output` is one of the given scene files, or a mesh or the font of
-  /// one.
-  void require_not_input(const std::filesystem::path& output) const;
+  /// Adds the scene files, and all files that the scenes name, to the inputs. Throws
+  /// OverwriteError.
+  void add_inputs(system::FileList& files) const;
 
   /// Returns all scenes, each as scene() does.
   std::vector<scene::Scene> scenes() const;

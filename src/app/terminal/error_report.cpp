@@ -134,6 +134,7 @@ std::string remedy_for_run(const Error& error) {
 ExitCode exit_code_of(const Error& error) {
   if (is<gl::GlError>(error)) return ExitCode::no_gl;
   if (is<video::EncoderError>(error) || is<plot::PlotError>(error)) return ExitCode::encoder;
+  if (is<system::ExistingFileError>(error)) return ExitCode::file;
   return is<system::FileError>(error) ? ExitCode::file : ExitCode::usage;
 }
 
@@ -180,7 +181,9 @@ std::string remedy_for(const Error& error) {
                        size->height());
   }
   if (const std::string remedy = remedy_for_run(error); !remedy.empty()) return remedy;
-  if (is<system::OverwriteError>(error)) return "--overwrite replaces it, --output names another";
+  if (is<system::ExistingFileError>(error)) {
+    return "--overwrite replaces it, or choose another name";
+  }
   if (is<interchange::AccuracyError>(error))
     return "take a larger --max-angle, or a shorter --duration";
   if (is<canvas::MissingGlyph>(error)) {

@@ -1,0 +1,165 @@
+#include "system/output_kind.h"
+
+#include <fmt/format.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "base/letters.h"
+#include "base/nearest.h"
+
+namespace twrench::system {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view scene_first = "{\n \"scene\": ";
+
+constexpr std::array motion_formats{
+    OutputFormat{"csv", {".csv"}, "t,x11,x12,x13,x21,x22,x23,", ",wx,wy,wz,energy"},
+    OutputFormat{"json", {".json"}, scene_first, "\n \"samples\": ["}};
+constexpr std::array saved_motion_formats{
+    motion_formats[0], OutputFormat{"npz", {".npz"}, "PK\x03\x04", "orthogonality_error.npy"}};
+constexpr std::array exported_motion_formats{
+    OutputFormat{"glb", {".glb"}, "glTF", "\"generator\":\"twrench "},
+    OutputFormat{"aem", {".aem"}, "CCSDS_AEM_VERS = ", "COMMENT Written by twrench "},
+    motion_formats[0], motion_formats[1]};
+constexpr std::array inertia_formats{
+    OutputFormat{"text", {".txt"}, "", "\nprincipal axes as columns, in body axes\n"},
+    OutputFormat{"json", {".json"}, scene_first, "\n \"principal_moments\": ["}};
+constexpr std::array check_formats{
+    OutputFormat{"text", {".txt"}, "", "\n  read as         "},
+    OutputFormat{"json", {".json"}, "{\n \"file", "\"rows\": "},
+    OutputFormat{"junit", {".xml"}, "<?xml", "<testsuites name=\"twrench check\""}};
+constexpr std::array study_formats{
+    OutputFormat{"text", {".txt"}, "", " s of motion, methods compared with "},
+    OutputFormat{"csv", {".csv"}, "method,order_seen,step,tolerance,", "estimate_median_ratio"},
+    OutputFormat{"json", {".json"}, scene_first, "\n \"reference\": "}};
+constexpr std::array case_list_formats{
+    OutputFormat{"text", {".txt"}, "name  ", "basilisk-spacecraft"},
+    OutputFormat{"json", {".json"}, "{\n \"cases\": [", "basilisk-spacecraft"},
+    OutputFormat{"csv", {".csv"}, "name,I1,I2,I3,inertia_unit,", "basilisk-spacecraft"}};
+constexpr std::array case_formats{
+    OutputFormat{"text", {".txt"}, "case      ", "\nsource    "},
+    OutputFormat{"json", {".json"}, "{\n \"name\": ", "\n \"published\": "},
+    OutputFormat{"csv", {".csv"}, "t,wx,wy,wz,qw,qx,qy,qz,energy,Lx,Ly,Lz\n", ""}};
+constexpr std::array schema_formats{
+    OutputFormat{"json", {".json"}, "{", "\"title\": \"Scene file of twrench\""}};
+constexpr std::array plot_formats{
+    OutputFormat{"svg", {".svg"}, "<?xml", "<!-- twrench -->"},
+    OutputFormat{"pdf", {".pdf"}, "%PDF", "%twrench\n"},
+    OutputFormat{"png", {".png"}, "\x89PNG", "tEXtSoftware\0twrench"sv}};
+constexpr std::array picture_formats{plot_formats[2]};
+constexpr std::array page_formats{OutputFormat{
+    "html", {".html", ".htm"}, "<!doctype html>", "name=\"generator\" content=\"twrench\">"}};
+constexpr std::array index_formats{
+    OutputFormat{"html", {".html"}, "<!DOCTYPE html>", page_formats[0].mark}};
+constexpr std::array report_formats{
+    OutputFormat{"html", {".html"}, "<!doctype html>", "name=\"generator\" content=\"twrench "},
+    OutputFormat{"markdown", {".md"}, "# ", "\n    twrench report "}};
+constexpr std::array comparison_formats{OutputFormat{
+    "html", {".html"}, "<!doctype html>", "name=\"generator\" content=\"twrench compare\">"}};
+
+bool has_ending(const OutputFormat& format, std::string_view ending) {
+  return std::ranges::find(format.endings, ending) != format.endings.end();
+}
+
+/// "A, B or C", of a text of each format.
+std::string alternatives(const OutputKind& kind, const auto& text_of) {
+  std::string text;
+  for (std::size_t i = 0; i < kind.formats.size(); ++i) {
+    if (i > 0) text += i + 1 < kind.formats.size() ? ", " : " or ";
+    text += text_of(kind.formats[i]);
+  }
+  return text;
+}
+
+/// The beginning and the end of a file, where its mark is.
+std::string ends_of(const std::filesystem::path& file) {
+  constexpr std::streamsize head = 1 << 16, tail = 1 << 10;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(static_cast<std::size_t>(head + tail), '\0');
+  stream.read(text.data(), head);
+  std::streamsize size = stream.gcount();
+  if (stream) {
+    stream.seekg(-tail, std::ios::end);
+    stream.read(text.data() + size, tail);
+    size += stream.gcount();
+  }
+  text.resize(static_cast<std::size_t>(size));
+  return text;
+}
+
+}  // namespace
+
+const OutputKind motion_output{"trajectory", motion_formats};
+const OutputKind saved_motion{"motion", saved_motion_formats, OutputKind::Choice::files_only};
+const OutputKind exported_motion{"export", exported_motion_formats, OutputKind::Choice::by_name};
+const OutputKind inertia_output{"inertia", inertia_formats};
+const OutputKind check_output{"check", check_formats};
+const OutputKind study_output{"study", study_formats};
+const OutputKind list_of_cases{"cases", case_list_formats};
+const OutputKind case_output{"case", case_formats};
+const OutputKind schema_output{"schema", schema_formats};
+const OutputKind plot_output{"plot", plot_formats, OutputKind::Choice::files_only};
+const OutputKind page_output{"page", page_formats};
+const OutputKind index_output{"index", index_formats};
+const OutputKind report_output{"report", report_formats, OutputKind::Choice::by_ending};
+const OutputKind comparison_page{"comparison", comparison_formats, OutputKind::Choice::files_only};
+const OutputKind difference_picture{"difference", picture_formats, OutputKind::Choice::files_only};
+
+std::string listed_endings(const OutputKind& kind) {
+  return alternatives(kind, [](const OutputFormat& format) { return format.endings[0]; });
+}
+
+std::string listed_names(const OutputKind& kind) {
+  return alternatives(kind, [](const OutputFormat& format) { return format.name; });
+}
+
+const OutputFormat& format_of(const OutputKind& kind, const std::filesystem::path& file,
+                              std::string_view name) {
+  using Choice = OutputKind::Choice;
+  const bool is_stream = file == "-";
+  const std::string ending = is_stream ? std::string() : to_lower(file.extension().string());
+  const std::string what = fmt::format("{} {}", kind.name, file.string());
+  const auto named = std::ranges::find(kind.formats, name, &OutputFormat::name);
+  if (named != kind.formats.end()) {
+    if (ending.empty() || has_ending(*named, ending)) return *named;
+    throw InvalidArgument(
+        what,
+        fmt::format("its name must end in {}, because the format is {}", named->endings[0], name),
+        "choose another name, or leave out the format");
+  }
+  if (!name.empty()) {
+    std::vector<std::string> names;
+    for (const OutputFormat& format : kind.formats) names.emplace_back(format.name);
+    throw unknown_name("--format", name, names);
+  }
+  if (ending.empty() && kind.choice == Choice::by_default) return kind.formats.front();
+  if (is_stream && kind.choice == Choice::by_ending) return kind.formats.front();
+  for (const OutputFormat& format : kind.formats) {
+    if (!ending.empty() && has_ending(format, ending)) return format;
+  }
+  if (is_stream && kind.choice == Choice::by_name) {
+    throw InvalidArgument("--format", "is needed for standard output, which has no file extension",
+                          "give " + listed_names(kind));
+  }
+  const bool is_only_ending =
+      ending.empty() && file.has_filename() && file.string().starts_with('.');
+  throw InvalidArgument(what,
+                        fmt::format("its name must end in {}{}", listed_endings(kind),
+                                    is_only_ending ? ", and begin with something else" : ""),
+                        kind.choice == Choice::by_name
+                            ? "choose another name, or the format: --format " + listed_names(kind)
+                            : "choose another name");
+}
+
+bool is_written_in(const OutputFormat& format, const std::filesystem::path& file) {
+  const std::string text = ends_of(file);
+  return text.starts_with(format.begins) && text.find(format.mark) != std::string::npos;
+}
+
+}  // namespace twrench::system
