@@ -20,6 +20,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "motion/phase.h"
+#include "motion/visible_error.h"
 #include "pickling.h"
 #include "scene/limits.h"
 
@@ -65,8 +66,14 @@ py::tuple integrate(const motion::FreeBody& body, const std::string& method, dou
   motion::Trajectory result = run_interruptibly([&](const std::atomic<bool>& stop) {
     return motion::integrate(body, found, {step, tolerance, max_steps, &stop}, t);
   });
+  const auto later = [](const motion::Sample& a, const motion::Sample& b) {
+    return std::abs(a.t) < std::abs(b.t);
+  };
+  const auto last = std::ranges::max_element(result.samples, later);
+  const std::string note =
+      last == result.samples.end() ? std::string() : motion::visible_error(body, found, *last);
   const py::tuple views = views_of(std::move(result.samples));
-  return py::make_tuple(views[0], views[1], result.steps, result.evaluations);
+  return py::make_tuple(views[0], views[1], result.steps, result.evaluations, note);
 }
 
 /// Calls work(begin, end) for parts of 0 to `count` without Python's global lock, and runs Python's

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -299,7 +300,7 @@ def simulate(
     t = _arguments.times(times, span, fps)
     own = "exact" if free_body.is_rigid else "taylor"
     name = own if method is None else _arguments.text("method", method)
-    X, velocity, steps, evaluations = _native.integrate(
+    X, velocity, steps, evaluations, note = _native.integrate(
         free_body,
         name,
         _arguments.positive("step", step),
@@ -307,6 +308,8 @@ def simulate(
         _arguments.whole("max_steps", max_steps, 1, 2**62),
         t,
     )
+    if note:
+        warnings.warn(note, stacklevel=2)
     return Motion(free_body, t, X, velocity, name, steps, evaluations)
 
 

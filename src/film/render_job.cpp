@@ -9,6 +9,7 @@
 #include "film/film_sound.h"
 #include "film/output_space.h"
 #include "image/png.h"
+#include "motion/visible_error.h"
 #include "scene/reading_speed.h"
 #include "scene/scene_json.h"
 #include "system/file.h"
@@ -36,6 +37,19 @@ void require_separate_files(const scene::Scene& scene, const RenderSettings& set
   }
   if (settings.frames_folder)
     files.add_outputs(*settings.frames_folder, video::is_in_frames_folder);
+}
+
+/// The visible errors at the end of each shot.
+std::vector<std::string> visible_errors(const timeline::FilmTimeline& timeline) {
+  std::vector<std::string> errors;
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    if (i + 1 < timeline.size() && timeline.shot(i + 1) == timeline.shot(i)) continue;
+    const timeline::Solution& solution = timeline.solutions(timeline.shot(i)).front();
+    std::string error = motion::visible_error(solution.body, *solution.method,
+                                              timeline.frame(i).state.solutions.front().sample);
+    if (!error.empty()) errors.push_back(std::move(error));
+  }
+  return errors;
 }
 
 /// A matrix in row-major order.
@@ -199,6 +213,7 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     const Timed timed(times_.pose);
     timeline_.emplace(scene_, numbers, settings_.stop);
   }
+  std::ranges::move(visible_errors(*timeline_), std::back_inserter(warnings_));
   opened_ = gl::open_context(*gl_trial_);
   renderer_.emplace(*opened_.context, scene_);
   frames_.resize(numbers.size());

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "interchange/aem.h"
 #include "interchange/gltf_scene.h"
@@ -53,18 +54,21 @@ std::vector<std::string> write_attitude_ephemeris(const ExportOptions& options,
   return {};
 }
 
+std::vector<std::string> notes_of(std::string note) {
+  if (note.empty()) return {};
+  return {std::move(note)};
+}
+
 constexpr std::array<ExportFormat, 4> formats{
     {{"glb", "glTF 2.0, an animated model", write_gltf},
      {"aem", "CCSDS attitude ephemeris message", write_attitude_ephemeris},
      {"csv", "as simulate writes it",
       [](const ExportOptions&, const scene::Scene& scene, const Write& write) {
-        write_trajectory(write, scene, "csv", {});
-        return std::vector<std::string>();
+        return notes_of(write_trajectory(write, scene, "csv", {}));
       }},
      {"json", "as simulate writes it",
       [](const ExportOptions&, const scene::Scene& scene, const Write& write) {
-        write_trajectory(write, scene, "json", {});
-        return std::vector<std::string>();
+        return notes_of(write_trajectory(write, scene, "json", {}));
       }}}};
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "motion/visible_error.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
 
@@ -41,15 +42,15 @@ std::vector<Column> columns_of(const motion::FreeBody& body) {
 
 /// The text before, between and after the samples, and the text of each sample.
 struct TextFormat {
-  std::string before, between, after;
+  std::string before, between;
+  std::function<std::string(const std::string& note)> after;
   std::function<std::string(const motion::Sample&, const motion::Diagnostics&)> row;
 };
 
-/// Appends a number with 17 significant digits, as "{:.17g}" does, in half the time.
+/// Appends the fewest digits that read back as the same number, as "{}" does, in less time.
 void append_number(std::string& text, double value) {
   std::array<char, 32> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                          std::chars_format::general, 17);
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   text.append(digits.data(), end);
 }
 
@@ -73,7 +74,8 @@ TextFormat csv_format(const motion::FreeBody& body) {
   const std::vector<Column> columns = columns_of(body);
   std::string header = "t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz";
   for (const Column& column : columns) header += std::string(",") + column.name;
-  return {header + "\n", "", "", [columns](const motion::Sample& s, const motion::Diagnostics& d) {
+  return {header + "\n", "", [](const std::string&) { return std::string(); },
+          [columns](const motion::Sample& s, const motion::Diagnostics& d) {
             return csv_row(columns, s, d);
           }};
 }
@@ -101,7 +103,11 @@ TextFormat json_format(const scene::Scene& scene, const motion::FreeBody& body) 
   const std::string text =
       document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   const std::size_t samples = text.rfind(']');
-  return {text.substr(0, samples) + "\n  ", ",\n  ", "\n " + text.substr(samples) + "\n",
+  return {text.substr(0, samples) + "\n  ", ",\n  ",
+          [end = text.substr(samples + 1)](const std::string& note) {
+            const nlohmann::json quoted = note;
+            return "\n ]" + (note.empty() ? "" : ",\n \"note\": " + quoted.dump()) + end + "\n";
+          },
           [columns = columns_of(body)](const motion::Sample& s, const motion::Diagnostics& d) {
             return json_row(columns, s, d);
           }};
@@ -121,13 +127,17 @@ class RowWriter {
 
   void add(const motion::Sample& sample) {
     // Adding 0 changes only -0, which would look odd.
+    if (std::abs(sample.t) >= std::abs(latest_.t)) latest_ = sample;
     block_.push_back({sample.t, sample.X.array() + 0.0, sample.omega.array() + 0.0});
     if (block_.size() == block_size) write_block();
   }
 
-  void finish() {
+  /// The sample that is farthest from the start.
+  const motion::Sample& latest() const { return latest_; }
+
+  void finish(const std::string& note) {
     write_block();
-    write_(text_.after);
+    write_(text_.after(note));
   }
 
  private:
@@ -152,6 +162,7 @@ class RowWriter {
   const motion::FreeBody& body_;
   double start_;  ///< Energy at t = 0, g cm^2/s^2.
   std::vector<motion::Sample> block_;
+  motion::Sample latest_{0, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
   bool is_first_ = true;  ///< Whether nothing has been written yet.
 };
 
@@ -179,8 +190,8 @@ RegularTimes::RegularTimes(const scene::Scene& scene)
   size_ = static_cast<std::size_t>(std::ceil(samples * (1 - rounding))) + 1;
 }
 
-void write_trajectory(const Write& write, const scene::Scene& scene, const std::string& format,
-                      const std::vector<double>& times) {
+std::string write_trajectory(const Write& write, const scene::Scene& scene,
+                             const std::string& format, const std::vector<double>& times) {
   const motion::Method& method = motion::find_method(scene.motion.method);
   const motion::FreeBody body = scene::free_body(scene);
   RowWriter rows(write, format == "csv" ? csv_format(body) : json_format(scene, body), body);
@@ -194,14 +205,16 @@ void write_trajectory(const Write& write, const scene::Scene& scene, const std::
       rows.add(sample);
     }
   }
-  rows.finish();
+  std::string note = motion::visible_error(body, method, rows.latest());
+  rows.finish(note);
+  return note;
 }
 
 void write_csv(const Write& write, const motion::FreeBody& body,
                std::span<const motion::Sample> samples) {
   RowWriter rows(write, csv_format(body), body);
   for (const motion::Sample& sample : samples) rows.add(sample);
-  rows.finish();
+  rows.finish({});
 }
 
 }  // namespace twrench::interchange

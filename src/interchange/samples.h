@@ -33,9 +33,10 @@ class RegularTimes {
 using Write = std::function<void(std::string_view)>;
 
 /// Writes the scene's motion, computed by its own method, as "csv" or "json" at those times, or at
-/// RegularTimes if there are none. Throws as integrate(), RegularTimes and `write` do.
-void write_trajectory(const Write& write, const scene::Scene& scene, const std::string& format,
-                      const std::vector<double>& times);
+/// RegularTimes if there are none. Returns a note on a visible error at the latest time, which JSON
+/// has as its "note"; usually empty. Throws as integrate(), RegularTimes and `write` do.
+std::string write_trajectory(const Write& write, const scene::Scene& scene,
+                             const std::string& format, const std::vector<double>& times);
 
 /// Writes samples of the body's motion in that CSV format. Throws what `write` throws.
 void write_csv(const Write& write, const motion::FreeBody& body,

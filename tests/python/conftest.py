@@ -34,6 +34,7 @@ def template(tmp_path) -> Path:
     """A page without a scene. scripts/maintain/page.sh builds the real one."""
     file = tmp_path / "template.html"
     file.write_text(
+        '<!doctype html>\n<meta name="generator" content="twrench">\n'
         "<title>{{title}}</title><h1>{{title}}</h1>\n"
         "<!-- twrench:poster -->\n<!-- twrench:scene -->\n"
     )

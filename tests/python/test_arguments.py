@@ -176,7 +176,7 @@ def test_rotations_angles_and_files(tmp_path):
     table = np.genfromtxt(motion.save(str(tmp_path / "a.csv")), delimiter=",", names=True)
     np.testing.assert_array_equal(table["x32"], motion.X[:, 2, 1])
     np.testing.assert_array_equal(table["wz"], motion.omega[:, 2])
-    with pytest.raises(twrench.UsageError, match="path: must end in .csv or .npz"):
+    with pytest.raises(twrench.UsageError, match="must end in .csv or .npz"):
         motion.save("a.txt")
     for name in ("a.csv", "a.npz"):
         with pytest.raises(twrench.FileError):

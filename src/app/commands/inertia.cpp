@@ -32,9 +32,7 @@ struct InertiaOptions {
   OutputOptions output;
 };
 
-std::string row(const auto& v) {
-  return fmt::format("{:>25.17g}{:>25.17g}{:>25.17g}\n", v[0], v[1], v[2]);
-}
+std::string row(const auto& v) { return fmt::format("{:>25}{:>25}{:>25}\n", v[0], v[1], v[2]); }
 
 std::string matrix(const Eigen::Matrix3d& m) {
   return "  " + row(m.row(0)) + "  " + row(m.row(1)) + "  " + row(m.row(2));
@@ -85,7 +83,7 @@ std::optional<Turn> turn_of(const scene::Scene& scene) {
 }
 
 std::string angle_line(const char* name, double angle) {
-  return fmt::format("  {:<18} {:.17g} rad, {:.6g} turns\n", name, angle,
+  return fmt::format("  {:<18} {} rad, {:.6g} turns\n", name, angle,
                      angle / (2 * std::numbers::pi));
 }
 
@@ -95,7 +93,7 @@ std::string turn_lines(const Turn& turn, bool is_rigid) {
              "rotation about L in one period of the momentum in the body, omega = ({:.6g}, {:.6g}, "
              "{:.6g}) rad/s\n",
              omega[0], omega[1], omega[2]) +
-         fmt::format("  {:<18} {:.17g} s\n", "period T", phase.period) +
+         fmt::format("  {:<18} {} s\n", "period T", phase.period) +
          angle_line("total", phase.total) +
          angle_line(is_rigid ? "dynamic, 2 E T/|L|" : "dynamic", phase.dynamic) +
          angle_line("geometric", phase.geometric());
@@ -105,15 +103,14 @@ std::string mesh_lines(const mesh::MeshFile& mesh) {
   return fmt::format(
       "triangles            {}\n"
       "open edges           {}\n"
-      "volume               {:.17g} cm^3\n"
-      "area                 {:.17g} cm^2\n",
+      "volume               {} cm^3\n"
+      "area                 {} cm^2\n",
       mesh.shape.surface->triangles.size(), mesh.open_edges, body::volume(mesh.shape), mesh.area);
 }
 
 std::string text(const Described& described) {
   const auto& [name, body, mesh, turn, is_rigid] = described;
-  const std::string mass =
-      std::isnan(body.mass) ? "not given" : fmt::format("{:.17g} g", body.mass);
+  const std::string mass = std::isnan(body.mass) ? "not given" : fmt::format("{} g", body.mass);
   return fmt::format(
       "{:<20} {}\n"
       "{}"
@@ -187,7 +184,7 @@ Described describe(const InertiaOptions& options, system::FileList& files) {
   if (!mesh::is_mesh_name(name)) {
     options.scene.add_inputs(files);
     const scene::Scene scene = options.scene.scene();
-    return {.name = scene.name,
+    return {.name = options.scene.name_of(scene),
             .body = scene::mass_properties(scene.body),
             .turn = turn_of(scene),
             .is_rigid = scene.motion.is_rigid()};

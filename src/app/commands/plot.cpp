@@ -5,6 +5,8 @@
 #include "app/options/option_group.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_options.h"
+#include "app/terminal/message.h"
+#include "motion/visible_error.h"
 #include "plot/attitude_plot.h"
 #include "report/attitude_curve.h"
 
@@ -31,6 +33,10 @@ void plot(const PlotOptions& options) {
   std::vector<plot::AttitudeCurve> curves;
   for (const scene::Scene& scene : options.scenes.scenes()) {
     curves.push_back(report::attitude_curve(scene));
+    const std::string error =
+        motion::visible_error(scene::free_body(scene), motion::find_method(scene.motion.method),
+                              curves.back().samples.back());
+    if (!error.empty()) warn(error);
   }
   plot::draw_plot(file, options.overlay ? plot::column_panels(curves) : plot::nine_panels(curves));
 }

@@ -6,6 +6,7 @@
 #include "app/options/option_group.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_options.h"
+#include "app/terminal/message.h"
 #include "interchange/samples.h"
 #include "scene/limits.h"
 #include "system/output.h"
@@ -40,9 +41,11 @@ void simulate(const SimulateOptions& options) {
   const std::vector<double> times =
       options.times.empty() ? std::vector<double>() : times_asked_for(options);
   system::Output output(file);
-  interchange::write_trajectory([&](std::string_view text) { output.write(text); }, scene,
-                                std::string(file.format().name), times);
+  const std::string note =
+      interchange::write_trajectory([&](std::string_view text) { output.write(text); }, scene,
+                                    std::string(file.format().name), times);
   output.finish();
+  if (!note.empty()) warn(note);
 }
 
 }  // namespace

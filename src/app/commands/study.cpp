@@ -125,10 +125,9 @@ ExitCode verdict(const study::Study& study, const std::vector<Bound>& bounds) {
   return code;
 }
 
-std::string report(std::string_view format, const study::Study& study, const scene::Scene& scene) {
+std::string report(std::string_view format, const study::Study& study, const std::string& scene) {
   if (format == "csv") return study_csv(study);
-  return format == "json" ? study_json(study, scene.name)
-                          : study_text(study, text::escape(scene.name));
+  return format == "json" ? study_json(study, scene) : study_text(study, text::escape(scene));
 }
 
 ExitCode run_study(const StudyOptions& options) {
@@ -149,7 +148,7 @@ ExitCode run_study(const StudyOptions& options) {
   const motion::FreeBody body = scene::free_body(scene);
   const study::Study result = study::run_study(body, plan);
   system::Output output(file);  // write both it and the plot, or neither
-  output.write(report(file.format().name, result, scene));
+  output.write(report(file.format().name, result, options.scene.name_of(scene)));
   if (plot_file) plot::draw_plot(*plot_file, plot::study_plot(result));
   output.finish();
   return verdict(result, bounds);

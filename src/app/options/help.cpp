@@ -161,7 +161,6 @@ void add_help_all(CLI::App& app) {
   app.get_option("--help")->group(heading(OptionGroup::run));
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->get_option("--help")->group(heading(OptionGroup::run));
-    if (!is_long(read_command(*command))) continue;
     command->set_help_all_flag("--help-all", "Print this help with all options, and exit")
         ->group(heading(OptionGroup::run));
   }

@@ -244,6 +244,10 @@ void SceneOptions::use_builtin_scenes(const std::string& option) {
   names_ = scene::builtin_scene_names();
 }
 
+const std::string& SceneOptions::name_of(const scene::Scene& scene) const {
+  return command_.count("--inertia") > 0 ? scene.shown_title() : scene.name;
+}
+
 void SceneOptions::add_inputs(twrench::system::FileList& files) const {
   for (const std::string& name : names_) files.add_input(name);
   for (const Loaded& scene : load()) {

@@ -77,6 +77,10 @@ class SceneOptions {
   /// Returns the name of a scene and, if it is a mesh, its options, as words of a command line.
   std::vector<std::string> words(std::size_t index) const;
 
+  /// Returns what to call the scene in a result: its name, or its title if --inertia replaced its
+  /// body.
+  const std::string& name_of(const scene::Scene& scene) const;
+
   /// Returns the options for SCENE as a mesh.
   const MeshOptions& mesh_options() const { return mesh_; }
 

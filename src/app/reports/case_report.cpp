@@ -43,7 +43,7 @@ std::string dumped(const nlohmann::ordered_json& document) { return document.dum
 
 Eigen::Vector4d scalar_first(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-std::string exact_row(const auto& v) { return fmt::format("{:>25.17g}\n", fmt::join(v, "")); }
+std::string exact_row(const auto& v) { return fmt::format("{:>25}\n", fmt::join(v, "")); }
 
 std::string parameters_text(const Case& problem) {
   std::string text = fmt::format(
@@ -56,7 +56,7 @@ std::string parameters_text(const Case& problem) {
       unit_after(problem.inertia_unit), fmt::join(problem.published_omega, ", "),
       problem.omega_unit);
   if (problem.omega_unit != "rad/s") {
-    text += fmt::format("          {:.17g} rad/s\n", fmt::join(problem.omega, ", "));
+    text += fmt::format("          {} rad/s\n", fmt::join(problem.omega, ", "));
   }
   if (problem.attitude) {
     text += fmt::format("attitude  {} (space from body, scalar first)\n",
@@ -84,7 +84,7 @@ std::string published_text(const Published& published, const State& exact) {
               : fmt::format("off by up to {:.3g}\n", largest_difference(published, exact));
   text += fmt::format("{:>3}{:>25}{:>25}{:>12}\n", "", "published", "exact", "difference");
   for (std::size_t i = 0; i < components.size(); ++i) {
-    text += fmt::format("{:>3}{:>25}{:>25.17g}{:>12.2g}\n", component_name(published, i),
+    text += fmt::format("{:>3}{:>25}{:>25}{:>12.2g}\n", component_name(published, i),
                         published.digits[i], components[i], published.values[i] - components[i]);
   }
   return text;
@@ -95,7 +95,7 @@ std::string state_text(const Case& problem, const State& state) {
       "\nexact values at t = {} s\n"
       "  omega, body axes, rad/s\n  {}"
       "  quaternion, space from body, scalar first\n  {}"
-      "  energy, {}\n  {:>25.17g}\n"
+      "  energy, {}\n  {:>25}\n"
       "  L, space axes, {}\n  {}",
       state.t, exact_row(state.omega), exact_row(scalar_first(state.quaternion)),
       energy_unit(problem), state.energy, momentum_unit(problem), exact_row(state.momentum));
@@ -128,10 +128,9 @@ std::string list_text(const std::vector<Case>& problems) {
 std::string list_csv(const std::vector<Case>& problems) {
   std::string text = "name,I1,I2,I3,inertia_unit,wx,wy,wz,duration,title,source\n";
   for (const Case& problem : problems) {
-    text += fmt::format("{},{:.17g},{},{:.17g},{:.17g},{},{}\n", problem.name,
-                        fmt::join(problem.moments, ","), quoted(problem.inertia_unit),
-                        fmt::join(problem.omega, ","), problem.duration, quoted(problem.title),
-                        quoted(problem.source));
+    text += fmt::format("{},{},{},{},{},{},{}\n", problem.name, fmt::join(problem.moments, ","),
+                        quoted(problem.inertia_unit), fmt::join(problem.omega, ","),
+                        problem.duration, quoted(problem.title), quoted(problem.source));
   }
   return text;
 }
@@ -157,7 +156,7 @@ std::string case_csv(const Case& problem) {
   std::string text = "t,wx,wy,wz,qw,qx,qy,qz,energy,Lx,Ly,Lz\n";
   for (const double t : cases::times_of(problem)) {
     const State state = solution.at(t);
-    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", t, fmt::join(state.omega, ","),
+    text += fmt::format("{},{},{},{},{}\n", t, fmt::join(state.omega, ","),
                         fmt::join(scalar_first(state.quaternion), ","), state.energy,
                         fmt::join(state.momentum, ","));
   }

@@ -189,7 +189,7 @@ std::string study_csv(const study::Study& study) {
       "flips_predicted,flips_observed,flip_error,steps,evaluations,cpu_seconds,"
       "estimate_median_ratio,estimate_largest_ratio,estimate_largest_true_error,failure\n";
   const auto number = [](double value) {
-    return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string();
+    return std::isfinite(value) ? fmt::format("{}", value) : std::string();
   };
   const auto maybe = [&](const std::optional<double>& value) {
     return value ? number(*value) : std::string();
