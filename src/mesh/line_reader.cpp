@@ -11,7 +11,13 @@
 namespace twrench::mesh {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+/// Line ends separate the words of a statement that continues over several lines.
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+bool is_continued(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+}
 
 }  // namespace
 
@@ -21,20 +27,44 @@ std::string shown(std::string_view text) {
                                 : fmt::format("'{}...'", text.substr(0, longest));
 }
 
+LineReader::LineReader(std::string name, std::string_view text)
+    : name_(std::move(name)),
+      line_end_(text.find('\n') == std::string_view::npos ? '\r' : '\n'),
+      rest_(text) {}
+
 bool LineReader::next() {
   if (rest_.empty()) return false;
-  const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+  const std::size_t end = std::min(rest_.find(line_end_), rest_.size());
   line_ = rest_.substr(0, end);
   rest_.remove_prefix(std::min(end + 1, rest_.size()));
-  ++line_number_;
+  line_number_ = ++lines_read_;
   return true;
+}
+
+bool LineReader::next_statement() {
+  if (!next()) return false;
+  const char* const begin = line_.data();
+  const std::size_t first_number = line_number_;
+  while (is_continued(line_) && next()) {
+  }
+  line_ = {begin, static_cast<std::size_t>(line_.data() + line_.size() - begin)};
+  line_ = line_.substr(0, line_.find('#'));
+  line_number_ = first_number;
+  return true;
+}
+
+/// Returns whether the character is a backslash before a line end.
+bool LineReader::is_continuation(std::size_t index) const {
+  if (line_[index] != '\\') return false;
+  return index + 1 == line_.size() || line_[index + 1] == '\r' || line_[index + 1] == '\n';
 }
 
 std::string_view LineReader::word() {
   std::size_t begin = 0;
-  while (begin < line_.size() && is_blank(line_[begin])) ++begin;
+  const auto separates = [&](std::size_t i) { return is_blank(line_[i]) || is_continuation(i); };
+  while (begin < line_.size() && separates(begin)) ++begin;
   std::size_t end = begin;
-  while (end < line_.size() && !is_blank(line_[end])) ++end;
+  while (end < line_.size() && !separates(end)) ++end;
   const std::string_view word = line_.substr(begin, end - begin);
   line_.remove_prefix(end);
   return word;

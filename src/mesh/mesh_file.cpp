@@ -21,11 +21,13 @@
 #include "mesh/topology.h"
 #include "mesh/welding.h"
 #include "system/file.h"
+#include "system/file_kind.h"
 #include "system/sha256.h"
 
 namespace twrench::mesh {
 namespace {
 
+constexpr std::string_view glb_mark = "glTF";
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 struct Format {
@@ -58,14 +60,22 @@ const Format* format_of(const std::filesystem::path& file) {
   return found == formats.end() ? nullptr : found;
 }
 
-Content read_content(const Source& source) {
-  if (source.bytes.empty()) throw system::FileError("cannot read " + source.name, "it is empty");
+Content read_content(Source source) {
+  const std::string what = "cannot read " + source.name;
   if (source.bytes.size() > most_bytes) {
-    throw system::FileError("cannot read " + source.name,
-                            fmt::format("it is longer than {} bytes", most_bytes));
+    throw system::FileError(what, fmt::format("it is longer than {} bytes", most_bytes));
+  }
+  // The header of a binary STL may contain any bytes.
+  if (!is_binary_stl(source.bytes)) {
+    source.bytes = system::without_byte_order_mark(source.bytes);
+    const auto kind = system::recognized_file_kind(source.bytes);
+    if (kind && !source.bytes.starts_with(glb_mark)) {
+      throw system::FileError(what, fmt::format("it is {}", *kind),
+                              "save it in OBJ, STL, PLY or glTF, with text in UTF-8");
+    }
   }
   // Two formats are identified by their first bytes, whatever the name.
-  if (source.bytes.starts_with("glTF")) return read_gltf(source);
+  if (source.bytes.starts_with(glb_mark)) return read_gltf(source);
   if (source.bytes.starts_with("ply\n") || source.bytes.starts_with("ply\r"))
     return read_ply(source);
   if (const Format* format = format_of(source.name)) return format->read(source);

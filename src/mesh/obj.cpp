@@ -20,7 +20,7 @@ class ObjReader {
   explicit ObjReader(const Source& source) : lines_(source.name, source.bytes) {}
 
   Content read() {
-    while (lines_.next()) {
+    while (lines_.next_statement()) {
       const std::string_view keyword = lines_.word();
       if (keyword == "v") read_vertex();
       if (keyword == "f") read_face();

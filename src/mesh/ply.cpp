@@ -138,7 +138,9 @@ class PlyReader {
       if (element.name == "vertex")
         read_vertices(element);
       else if (element.name == "face")
-        read_faces(element);
+        read_corners(element, &PlyReader::read_ring);
+      else if (element.name == "tristrips")
+        read_corners(element, &PlyReader::read_strip);
       else
         skip(element);
     }
@@ -221,42 +223,66 @@ class PlyReader {
     if (has_color) mesh_.colors.push_back({part(red), part(green), part(blue)});
   }
 
-  void read_faces(const PlyElement& element) {
-    for (std::uint64_t i = 0; i < element.count; ++i) {
+  /// Reads the lists of vertices of an element with `read_list`.
+  void read_corners(const PlyElement& element, void (PlyReader::*read_list)(const PlyProperty&)) {
+    for (item_ = {&element, 0}; item_.index < element.count; ++item_.index) {
       numbers_.begin_item();
       for (const PlyProperty& property : element.properties) {
-        const bool is_ring = property.count_type &&
-                             (property.name == "vertex_indices" || property.name == "vertex_index");
-        if (is_ring)
-          read_ring(property, i);
+        const bool has_corners = property.count_type && (property.name == "vertex_indices" ||
+                                                         property.name == "vertex_index");
+        if (has_corners)
+          (this->*read_list)(property);
         else
           skip_property(property);
       }
     }
   }
 
-  void read_ring(const PlyProperty& property, std::uint64_t face) {
+  void read_ring(const PlyProperty& property) {
     const std::uint64_t count = count_of(property);
     ring_.clear();
-    for (std::uint64_t k = 0; k < count; ++k)
-      ring_.push_back(index(numbers_.next(property.type), face));
-    if (count < 3) {
-      throw InvalidArgument(fmt::format("{}: face {}", name_, face),
-                            "a face has three corners at least");
-    }
+    for (std::uint64_t k = 0; k < count; ++k) ring_.push_back(index(numbers_.next(property.type)));
+    if (count < 3) throw InvalidArgument(item_place(), "a face has three corners at least");
     polygons_.add(ring_, mesh_);
   }
 
-  std::uint32_t index(double number, std::uint64_t face) const {
+  /// Reads strips of triangles, separated by -1. Every other triangle of a strip is turned over.
+  void read_strip(const PlyProperty& property) {
+    ring_.clear();
+    for (std::uint64_t n = count_of(property); n > 0; --n) {
+      const double number = numbers_.next(property.type);
+      if (number == -1.0) {
+        ring_.clear();
+        continue;
+      }
+      ring_.push_back(index(number));
+      if (ring_.size() < 3) continue;
+      const auto* const last = &ring_.back();
+      const bool is_turned = ring_.size() % 2 == 0;
+      mesh_.triangles.push_back({last[is_turned ? -1 : -2], last[is_turned ? -2 : -1], last[0]});
+    }
+  }
+
+  std::uint32_t index(double number) const {
     if (number >= 0.0 && number < static_cast<double>(vertex_count_) &&
         number == std::floor(number)) {
       return static_cast<std::uint32_t>(number);
     }
     throw InvalidArgument(
-        fmt::format("{}: face {}", name_, face),
-        fmt::format("it refers to vertex {}, but there are {} vertices, from 0 on", number,
-                    vertex_count_));
+        item_place(), fmt::format("it refers to vertex {}, but there are {} vertices, from 0 on",
+                                  number, vertex_count_));
   }
+
+  /// Returns the place of the item for messages: "a.ply: face 7".
+  std::string item_place() const {
+    return fmt::format("{}: {} {}", name_, item_.element->name, item_.index);
+  }
+
+  /// An item of an element that consists of triangles.
+  struct Item {
+    const PlyElement* element;
+    std::uint64_t index;
+  };
 
   std::string name_;
   LineReader lines_;
@@ -264,6 +290,7 @@ class PlyReader {
   PlyNumbers numbers_;
   std::uint64_t vertex_count_ = 0;
   body::TriangleMesh mesh_;
+  Item item_{};  ///< The item that is being read.
   std::vector<std::uint32_t> ring_;
   Polygons polygons_;
 };

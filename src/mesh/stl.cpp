@@ -7,7 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <optional>
+#include <vector>
 
 #include "base/parallel.h"
 #include "mesh/binary.h"
@@ -25,18 +26,37 @@ std::uint64_t expected_bytes(std::string_view bytes) {
   return header_bytes + triangle_bytes * triangle_count(bytes);
 }
 
-/// Reads the vertices of a record, which consists of a normal of 12 bytes, three vertices of 12
-/// bytes each, and 2 bytes of attributes.
-void read_record(std::string_view bytes, std::size_t triangle, body::TriangleMesh& mesh) {
+/// Reads the vertices of the record at `begin`, which consists of a normal of 12 bytes, three
+/// vertices of 12 bytes each, and 2 bytes of attributes.
+void read_record(std::string_view bytes, std::size_t begin, std::size_t triangle,
+                 body::TriangleMesh& mesh) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t at = header_bytes + triangle_bytes * triangle + 12 * (k + 1);
+    const std::size_t at = begin + 12 * (k + 1);
     mesh.vertices[3 * triangle + k] = {number_at<float>(bytes, at), number_at<float>(bytes, at + 4),
                                        number_at<float>(bytes, at + 8)};
     mesh.triangles[triangle][k] = static_cast<std::uint32_t>(3 * triangle + k);
   }
 }
 
-Content read_binary(const Source& source) {
+/// Returns where the record of a triangle begins if all have the same length.
+std::size_t plain_record(std::size_t triangle) { return header_bytes + triangle_bytes * triangle; }
+
+/// Returns where the records of a file begin in which the attributes of each state how many bytes
+/// follow it, and where the last one ends. Nothing if the file is too short for that, so that the
+/// attributes have another meaning, such as colours. The file must have room for all triangles.
+std::optional<std::vector<std::size_t>> records_with_payload(std::string_view bytes) {
+  std::vector<std::size_t> begins{header_bytes};
+  for (std::uint64_t i = 0; i < triangle_count(bytes); ++i) {
+    const std::size_t end = begins.back() + triangle_bytes;
+    if (end > bytes.size()) return {};
+    begins.push_back(end + number_at<std::uint16_t>(bytes, end - 2));
+  }
+  if (begins.back() > bytes.size()) return {};
+  return begins;
+}
+
+/// Reads a binary file. `begin_of` returns where the record of a triangle begins.
+Content read_binary(const Source& source, auto begin_of) {
   const std::string_view bytes = source.bytes;
   const std::uint64_t count = triangle_count(bytes);
   Content content;
@@ -45,7 +65,7 @@ Content read_binary(const Source& source) {
   mesh.triangles.resize(count);
   for_each_part(count, 1 << 16, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      read_record(bytes, i, mesh);
+      read_record(bytes, begin_of(i), i, mesh);
       for (std::size_t k = 0; k < 3; ++k) {
         if (mesh.vertices[3 * i + k].allFinite()) continue;
         throw InvalidArgument(fmt::format("{}: triangle {}", source.name, i + 1),
@@ -53,6 +73,29 @@ Content read_binary(const Source& source) {
       }
     }
   });
+  return content;
+}
+
+/// Reads a binary file that is longer than its triangles need.
+Content read_longer_binary(const Source& source) {
+  const std::size_t more = source.bytes.size() - expected_bytes(source.bytes);
+  const auto with_payload = records_with_payload(source.bytes);
+  if (with_payload && with_payload->back() == source.bytes.size()) {
+    Content content = read_binary(source, [&](std::size_t i) { return (*with_payload)[i]; });
+    content.notes.push_back(
+        fmt::format("the attributes of its triangles, {} bytes, are left out", more));
+    return content;
+  }
+  if (with_payload && with_payload->back() > expected_bytes(source.bytes)) {
+    throw system::FileError(
+        "cannot read " + source.name,
+        fmt::format("it has {} bytes more than its {} triangles need, and those may be attributes "
+                    "of the triangles or follow the last one",
+                    more, triangle_count(source.bytes)),
+        "save it without attributes");
+  }
+  Content content = read_binary(source, plain_record);
+  content.notes.push_back(fmt::format("the {} bytes after its last triangle are left out", more));
   return content;
 }
 
@@ -135,24 +178,23 @@ class TextReader {
   body::TriangleMesh mesh_;
 };
 
-/// Returns whether the file begins as a text file: "solid" and a name, then a line with "facet" or
-/// "endsolid".
-bool begins_as_text(std::string_view bytes) {
+/// Returns whether the file begins with "solid" and has no NUL where the triangle count of a binary
+/// file contains one.
+bool is_text(std::string_view bytes) {
+  LineReader lines("", bytes);
+  std::string first;
+  while (first.empty() && lines.next()) first = keyword(lines);
+  return first == "solid" && bytes.substr(0, header_bytes).find('\0') == std::string_view::npos;
+}
+
+/// Returns whether a line at the beginning of a text file begins with "facet" or "endsolid".
+bool has_lines(std::string_view bytes) {
   LineReader lines("", bytes.substr(0, 4096));
-  if (!lines.next() || keyword(lines) != "solid") return false;
   while (lines.next()) {
     const std::string word = keyword(lines);
     if (word == "facet" || word == "endsolid") return true;
   }
   return false;
-}
-
-/// Returns whether the file begins with "solid" and has no NUL in its first bytes, unlike a binary
-/// file, whose triangle count contains one.
-bool is_text(std::string_view bytes) {
-  LineReader lines("", bytes);
-  return lines.next() && keyword(lines) == "solid" &&
-         bytes.substr(0, 4096).find('\0') == std::string_view::npos;
 }
 
 }  // namespace
@@ -163,15 +205,18 @@ bool is_binary_stl(std::string_view bytes) {
 
 Content read_stl(const Source& source) {
   const std::string_view bytes = source.bytes;
-  if (is_binary_stl(bytes)) return read_binary(source);
-  if (begins_as_text(bytes)) return TextReader(source).read();
   const std::string what = "cannot read " + source.name;
+  if (is_binary_stl(bytes)) return read_binary(source, plain_record);
+  if (is_text(bytes) && has_lines(bytes)) return TextReader(source).read();
   if (bytes.size() < header_bytes) {
     throw system::FileError(what, fmt::format("{} bytes are no STL file", bytes.size()));
   }
   if (is_text(bytes)) {
     throw system::FileError(what, "it begins as a text STL, but no line begins with 'facet'",
                             "put each 'facet', 'vertex' and 'endfacet' on a separate line");
+  }
+  if (bytes.size() > expected_bytes(bytes) && triangle_count(bytes) > 0) {
+    return read_longer_binary(source);
   }
   throw system::FileError(
       what,

@@ -69,6 +69,61 @@ std::string replaced(std::string text, const std::string& part, const std::strin
   return text.replace(text.find(part), part.size(), by);
 }
 
+TEST(Ply, MayBeginWithAByteOrderMark) {
+  for (const char* format : {"ascii", "binary_little_endian"}) {
+    const MeshFile file = read_mesh("\xEF\xBB\xBF" + ply(format), "a.ply", {.scale = 1.0});
+    EXPECT_EQ(file.shape.integrals.volume, 1) << format;
+  }
+}
+
+TEST(Ply, LinesMayEndWithCr) {
+  std::string text = ply("ascii");
+  std::ranges::replace(text, '\n', '\r');
+  EXPECT_EQ(read_mesh(text, "a.ply", {.scale = 1.0}).shape.integrals.volume, 1);
+}
+
+/// Returns the unit cube as triangle strips in one list, separated by -1.
+std::string strips(const std::string& format, const std::vector<std::int32_t>& list) {
+  const bool is_text = format == "ascii";
+  std::string bytes = "ply\nformat " + format +
+                      " 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+                      "property float z\nelement tristrips 1\n"
+                      "property list int int vertex_indices\nend_header\n";
+  const auto add = [&](auto number) {
+    if (is_text)
+      bytes += fmt::format("{} ", number);
+    else
+      append(bytes, number);
+  };
+  for (const Eigen::Vector3d& v : cube({0, 0, 0}, 1).vertices) {
+    for (const double x : v) add(static_cast<float>(x));
+    bytes += is_text ? "\n" : "";
+  }
+  add(static_cast<std::int32_t>(list.size()));
+  for (const std::int32_t index : list) add(index);
+  return bytes + (is_text ? "\n" : "");
+}
+
+TEST(Ply, ReadsTriangleStrips) {
+  const std::vector<std::int32_t> six{0, 3, 1, 2, -1, 4, 5, 7, 6, -1, 0, 1, 4, 5, -1,
+                                      1, 2, 5, 6, -1, 2, 3, 6, 7, -1, 3, 0, 7, 4, -1};
+  // The first strip goes around four faces, and so has turned triangles in several places.
+  const std::vector<std::int32_t> three{0,  1, 4, 5, 7, 6,  3, 2, 0, 1, -1,
+                                        -1, 1, 2, 5, 6, -1, 3, 0, 7, 4};
+  for (const auto& list : {six, three}) {
+    for (const char* format : {"ascii", "binary_little_endian"}) {
+      const MeshFile file = read_mesh(strips(format, list), "a.ply", {.scale = 1.0});
+      EXPECT_EQ(file.shape.integrals.volume, 1) << format;
+      EXPECT_EQ(file.shape.surface->triangles.size(), 12U);
+      EXPECT_EQ(file.notes.size(), 0U) << "none is turned the other way";
+    }
+  }
+  EXPECT_EQ(refusal(strips("ascii", {0, 3, 8, 2}), "a.ply"),
+            "2 a.ply: tristrips 0: it refers to vertex 8, but there are 8 vertices, from 0 on");
+  EXPECT_THAT(refusal(strips("ascii", {0, 3, -2, 2}), "a.ply"), HasSubstr("to vertex -2"));
+  EXPECT_THAT(refusal(strips("ascii", {0, 3, -1, 1, 2}), "a.ply"), HasSubstr("no triangles"));
+}
+
 TEST(Ply, ThatIsBadIsRefused) {
   const std::string good = ply("ascii"), binary = ply("binary_little_endian");
   EXPECT_EQ(refusal(good, "a.ply"), "nothing");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
@@ -12,7 +13,9 @@ namespace twrench::mesh {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 const body::TriangleMesh unit_cube = cube({0, 0, 0}, 1);
@@ -40,13 +43,79 @@ TEST(Stl, ThatIsCutOffIsRefused) {
   const std::string whole = binary_stl(unit_cube, "solid cube");
   EXPECT_EQ(refusal(whole.substr(0, 300), "a.stl"),
             "5 cannot read a.stl: it is cut off: 12 triangles take 684 bytes, but it has 300");
-  EXPECT_THAT(refusal(whole + "x", "a.stl"), HasSubstr("no STL file, or damaged"));
   EXPECT_THAT(refusal(whole.substr(0, 50), "a.stl"), HasSubstr("50 bytes are no STL file"));
   const std::string text = text_stl(unit_cube);
   EXPECT_EQ(refusal(text.substr(0, text.find("endsolid")), "a.stl"),
             "5 cannot read a.stl: it is cut off: it ends after 12 triangles without 'endsolid'");
   EXPECT_THAT(refusal(text.substr(0, text.rfind("vertex")), "a.stl"),
               HasSubstr("cut off: it ends after 11 triangles"));
+}
+
+TEST(Stl, WithoutTrianglesIsRefused) {
+  EXPECT_EQ(refusal(std::string(100, '\0'), "a.stl"),
+            "5 cannot read a.stl: it is no STL file, or damaged: 0 triangles take 84 bytes, but it "
+            "has 100");
+}
+
+TEST(Stl, TextMayHaveAByteOrderMarkOrBlankLinesBeforeIt) {
+  const std::string text = text_stl(unit_cube);
+  for (const char* before : {"\xEF\xBB\xBF", "\n  ", "\r\n\r\n\t", "\xEF\xBB\xBF \n"}) {
+    const MeshFile file = read_mesh(before + text, "a.stl", {.scale = 1.0});
+    EXPECT_EQ(file.shape.integrals.volume, 1) << before;
+    EXPECT_THAT(file.notes, IsEmpty());
+  }
+}
+
+TEST(Stl, LinesMayEndWithCr) {
+  std::string text = text_stl(unit_cube);
+  std::ranges::replace(text, '\n', '\r');
+  EXPECT_EQ(read_mesh(text, "a.stl", {.scale = 1.0}).shape.integrals.volume, 1);
+}
+
+// A header may look like text or like another kind of file.
+TEST(Stl, MayHaveBytesAfterItsLastTriangle) {
+  for (const char* header : {"exported", "solid cube", "solid\n facet", " \n solid x"}) {
+    const std::string bytes = binary_stl(unit_cube, header);
+    const MeshFile file = read_mesh(bytes + "ab", "a.stl", {.scale = 1.0});
+    EXPECT_EQ(file.shape.integrals.volume, 1) << header;
+    EXPECT_THAT(file.notes, ElementsAre("the 2 bytes after its last triangle are left out"));
+  }
+  EXPECT_EQ(refusal(binary_stl(unit_cube, "GIF89a"), "a.stl"), "nothing");
+}
+
+/// Returns a binary STL in which the attributes of triangle i have payloads[i] bytes, as they
+/// state.
+std::string stl_with_payload(const std::vector<std::uint16_t>& payloads) {
+  const std::string plain = binary_stl(unit_cube);
+  std::string bytes = plain.substr(0, 84);
+  for (std::size_t i = 0; i < payloads.size(); ++i) {
+    bytes += plain.substr(84 + 50 * i, 48);
+    append(bytes, payloads[i]);
+    bytes += std::string(payloads[i], '\x12');
+  }
+  return bytes;
+}
+
+TEST(Stl, MayHaveAttributesThatStateTheirLength) {
+  for (const auto& payloads : {std::vector<std::uint16_t>(12, 2),
+                               {0, 0, 4, 0, 300, 0, 1, 0, 0, 0, 0, 0},
+                               {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 50}}) {
+    const std::string bytes = stl_with_payload(payloads);
+    const MeshFile file = read_mesh(bytes, "a.stl", {.scale = 1.0});
+    EXPECT_EQ(file.shape.integrals.volume, 1);
+    EXPECT_THAT(file.notes,
+                ElementsAre(fmt::format("the attributes of its triangles, {} bytes, are left out",
+                                        bytes.size() - 684)));
+    EXPECT_THAT(refusal(bytes + "x", "a.stl"), HasSubstr("may be attributes of the triangles or"));
+  }
+}
+
+TEST(Stl, MayHaveColorsInItsAttributes) {
+  std::string bytes = binary_stl(unit_cube);
+  for (std::size_t i = 0; i < 12; ++i) bytes.replace(84 + 50 * i + 48, 2, "\xff\x7f");
+  EXPECT_EQ(refusal(bytes, "a.stl"), "nothing");
+  EXPECT_THAT(read_mesh(bytes + "ab", "a.stl", {.scale = 1.0}).notes,
+              ElementsAre("the 2 bytes after its last triangle are left out"));
 }
 
 TEST(Stl, TextWithoutLineEndsIsNoDamagedBinary) {
