@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/gltf_accessor.h"
 #include "mesh/gltf_buffers.h"
 #include "mesh/gltf_chunks.h"
 #include "mesh/gltf_json.h"
@@ -29,6 +30,15 @@ using Eigen::Matrix4d;
 float srgb_of_linear(double light) {
   const double x = std::clamp(light, 0.0, 1.0);
   return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+constexpr std::string_view instancing = "EXT_mesh_gpu_instancing";
+
+/// Returns the remedy for a file that requires an extension which is not read.
+std::string remedy_for(std::string_view extension) {
+  if (extension == instancing) return "save it with a node for each instance";
+  if (extension.ends_with("_compression")) return "save it without compression";
+  return "save it without this extension";
 }
 
 class GltfReader {
@@ -66,7 +76,7 @@ class GltfReader {
       throw InvalidArgument(
           source_.name,
           fmt::format("it needs the extension '{}', which is not read", name.substr(0, 80)),
-          "save it without compression");
+          remedy_for(name));
     }
   }
 
@@ -74,6 +84,7 @@ class GltfReader {
     const GltfValue value = document_.at("accessors").at(index.whole());
     GltfAccessor accessor(value, buffers_);
     if (accessor.components() < least_components) throw value.bad("has too few components");
+    accessor.require_order();
     return accessor;
   }
 
@@ -170,14 +181,19 @@ class GltfReader {
     content_.scale = 100.0;
     content_.others = buffers_.files();
     std::uint64_t points_and_lines = 0;
-    bool has_targets = false;
+    bool has_targets = false, has_instances = false;
     for (const GltfInstance& instance : instances) {
       points_and_lines += meshes.at(instance.mesh).points_and_lines;
       has_targets = has_targets || meshes.at(instance.mesh).has_targets;
+      has_instances = has_instances || instance.is_repeated;
     }
     if (points_and_lines > 0) {
       content_.notes.push_back(fmt::format(
           "{} of its primitives are points or lines, and are left out", points_and_lines));
+    }
+    if (has_instances) {
+      content_.notes.push_back(
+          fmt::format("the instances of its nodes ({}) are left out", instancing));
     }
     if (document_.size("skins") > 0 || document_.size("animations") > 0 || has_targets) {
       content_.notes.emplace_back("its skins, morph targets and animations are left out");

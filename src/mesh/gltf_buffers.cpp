@@ -6,12 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <set>
 #include <span>
 
-#include "mesh/binary.h"
 #include "system/base64.h"
 #include "system/file.h"
 #include "system/sha256.h"
@@ -46,41 +43,6 @@ bool is_plain_name(const std::string& name) {
 
 std::string_view text_of(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-// glTF's numbers of component types, which are OpenGL's.
-constexpr std::uint64_t int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125,
-                        float32 = 5126;
-
-std::size_t size_of_component(const GltfValue& type) {
-  switch (type.whole()) {
-    case int8:
-    case uint8:
-      return 1;
-    case int16:
-    case uint16:
-      return 2;
-    case uint32:
-    case float32:
-      return 4;
-    default:
-      throw type.bad("is no type of numbers");
-  }
-}
-
-std::size_t components_of(const GltfValue& type) {
-  static const std::map<std::string, std::size_t> components{
-      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
-  const auto found = components.find(type.text());
-  if (found == components.end()) throw type.bad("is no type of elements");
-  return found->second;
-}
-
-template <typename Number>
-double component(std::string_view bytes, std::size_t offset, bool normalized) {
-  const auto value = static_cast<double>(number_at<Number>(bytes, offset));
-  if (!normalized) return value;
-  return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
 }
 
 }  // namespace
@@ -170,47 +132,6 @@ std::size_t GltfBuffers::bytes() const {
   std::size_t sum = 0;
   for (const File& file : files_) sum += file.bytes.size();
   return sum;
-}
-
-GltfAccessor::GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers)
-    : type_(accessor.at("componentType").whole()),
-      count_(accessor.at("count").whole()),
-      components_(components_of(accessor.at("type"))) {
-  if (accessor.find("sparse")) throw accessor.bad("is sparse, which is not supported");
-  if (const auto normalized = accessor.find("normalized")) normalized_ = normalized->boolean();
-  const std::size_t size = components_ * size_of_component(accessor.at("componentType"));
-  const GltfView view = buffers.view(accessor.at("bufferView").whole());
-  bytes_ = view.bytes;
-  stride_ = view.stride.value_or(size);
-  const std::uint64_t offset = accessor.whole_or("byteOffset", 0);
-  const bool has_room = offset <= bytes_.size() &&
-                        (count_ == 0 || (bytes_.size() - offset >= size &&
-                                         count_ - 1 <= (bytes_.size() - offset - size) / stride_));
-  if (!has_room) {
-    throw accessor.bad(fmt::format("goes beyond the {} bytes of its buffer view", bytes_.size()));
-  }
-  bytes_.remove_prefix(offset);
-}
-
-bool GltfAccessor::is_unsigned() const {
-  return type_ == uint8 || type_ == uint16 || type_ == uint32;
-}
-
-double GltfAccessor::at(std::size_t element, std::size_t index) const {
-  switch (type_) {
-    case int8:
-      return component<std::int8_t>(bytes_, element * stride_ + index, normalized_);
-    case uint8:
-      return component<std::uint8_t>(bytes_, element * stride_ + index, normalized_);
-    case int16:
-      return component<std::int16_t>(bytes_, element * stride_ + 2 * index, normalized_);
-    case uint16:
-      return component<std::uint16_t>(bytes_, element * stride_ + 2 * index, normalized_);
-    case uint32:
-      return component<std::uint32_t>(bytes_, element * stride_ + 4 * index, normalized_);
-    default:
-      return static_cast<double>(number_at<float>(bytes_, element * stride_ + 4 * index));
-  }
 }
 
 }  // namespace twrench::mesh

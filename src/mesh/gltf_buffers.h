@@ -61,23 +61,4 @@ class GltfBuffers {
   std::deque<File> files_;  ///< Its elements do not move.
 };
 
-/// The numbers of an accessor, one for each component of each element.
-class GltfAccessor {
- public:
-  /// Throws system::FileError if the accessor is damaged.
-  GltfAccessor(const GltfValue& accessor, GltfBuffers& buffers);
-
-  std::size_t size() const { return count_; }
-  std::size_t components() const { return components_; }
-  /// Returns whether the numbers are unsigned integers, as indices must be.
-  bool is_unsigned() const;
-  double at(std::size_t element, std::size_t component) const;
-
- private:
-  std::uint64_t type_;
-  std::size_t count_, components_, stride_;
-  bool normalized_ = false;
-  std::string_view bytes_;
-};
-
 }  // namespace twrench::mesh

@@ -70,7 +70,11 @@ std::vector<GltfInstance> gltf_instances(const GltfValue& document) {
     if (visited[index]) throw node.bad("is a child of more than one node");
     visited[index] = true;
     const Matrix4d transform = parent * transform_of(node);
-    if (const auto mesh = node.find("mesh")) instances.push_back({mesh->whole(), transform});
+    if (const auto mesh = node.find("mesh")) {
+      const auto extensions = node.find("extensions");
+      const bool is_repeated = extensions && extensions->find("EXT_mesh_gpu_instancing");
+      instances.push_back({mesh->whole(), transform, is_repeated});
+    }
     for (const std::uint64_t child : indices(node.find("children"))) {
       open.emplace_back(child, transform);
     }

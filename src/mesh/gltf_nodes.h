@@ -13,6 +13,8 @@ namespace twrench::mesh {
 struct GltfInstance {
   std::uint64_t mesh;
   Eigen::Matrix4d transform;  ///< From the mesh to the scene.
+  /// Whether the node repeats the mesh by the extension EXT_mesh_gpu_instancing, which is not read.
+  bool is_repeated;
 };
 
 /// Returns the mesh instances of the default scene, or of all nodes if the file has no scene.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "mesh/gltf_accessor.h"
+
 namespace twrench::mesh {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
@@ -274,7 +275,7 @@ TEST(Gltf, ThatIsBadIsRefusedWithThePlace) {
            {"/accessors/0/componentType", json(5130), cannot + "accessors[0].componentType is no"},
            {"/accessors/1/componentType", json(5122),
             cannot + "meshes[0].primitives[0].indices are no"},
-           {"/accessors/0/sparse", json::object(), cannot + "accessors[0] is sparse"},
+           {"/accessors/0/sparse", json::object(), cannot + "accessors[0].sparse has no 'indices'"},
            {"/bufferViews/0/byteLength", json(201), cannot + "bufferViews[0] goes beyond the 200"},
            {"/bufferViews/1/byteLength", json(105), cannot + "bufferViews[1] goes beyond the 200"},
            {"/bufferViews/0/byteOffset", json(18446744073709551615U),
@@ -283,8 +284,6 @@ TEST(Gltf, ThatIsBadIsRefusedWithThePlace) {
            {"/buffers/0/byteLength", json(4294967296),
             cannot + "buffers[0] is cut off: it has 200"},
            {"/buffers/0/uri", json("data:;base64,####"), cannot + "buffers[0].uri is no data"},
-           {"/extensionsRequired", json({"KHR_draco_mesh_compression"}),
-            std::string("2 a.gltf: it needs the extension 'KHR_draco_mesh_compression'")},
        }) {
     EXPECT_THAT(refusal(with(pointer, value), "a.gltf"), StartsWith(message)) << pointer;
   }
@@ -292,6 +291,92 @@ TEST(Gltf, ThatIsBadIsRefusedWithThePlace) {
             "5 cannot read a.gltf: it is no glTF: no JSON at byte 11");
   EXPECT_THAT(refusal("[1e999]", "a.gltf"), HasSubstr("a number is too large"));
   EXPECT_THAT(refusal("[]", "a.gltf"), HasSubstr("its JSON is no object"));
+}
+
+/// Returns the remedy for a file that requires the extension; empty if it is read.
+std::string remedy_for_required(const std::string& extension) {
+  json required = document();
+  required["extensionsRequired"] = {extension};
+  try {
+    read_json(required);
+  } catch (const InvalidArgument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("it needs the extension '" + extension + "'"));
+    return error.remedy();
+  }
+  return "";
+}
+
+TEST(Gltf, ThatNeedsAnExtensionHasTheRemedyForIt) {
+  for (const auto& [extension, remedy] :
+       {std::pair("KHR_draco_mesh_compression", "save it without compression"),
+        {"EXT_meshopt_compression", "save it without compression"},
+        {"EXT_mesh_gpu_instancing", "save it with a node for each instance"},
+        {"KHR_animation_pointer", "save it without this extension"},
+        {"VENDOR_unknown", "save it without this extension"},
+        {"KHR_texture_basisu", ""},
+        {"KHR_texture_transform", ""},
+        {"EXT_texture_webp", ""},
+        {"KHR_materials_unlit", ""},
+        {"KHR_mesh_quantization", ""}}) {
+    EXPECT_EQ(remedy_for_required(extension), remedy) << extension;
+  }
+}
+
+TEST(Gltf, MayBeginWithAByteOrderMark) {
+  EXPECT_EQ(read_mesh("\xEF\xBB\xBF" + document().dump(), "a.gltf", {}).shape.integrals.volume,
+            1e6);
+}
+
+/// Returns a document with a sparse accessor for the positions. Vertices 1 and 6 are replaced by
+/// those of a cube; the buffer view, if there is one, has the others.
+json sparse_document(bool has_base, const std::vector<std::uint8_t>& indices) {
+  const std::vector<Eigen::Vector3d> vertices = cube({0, 0, 0}, 1).vertices;
+  std::string values;
+  for (const std::uint8_t index : indices) {
+    for (const double x : vertices[index % 8]) append(values, static_cast<float>(x));
+  }
+  const std::string list(indices.begin(), indices.end());
+  json sparse = document();
+  std::string base = buffer();
+  for (const std::size_t index : {1U, 6U}) base.replace(12 * index, 12, 12, '\x41');
+  sparse["buffers"] = {{{"byteLength", 200}, {"uri", data_uri(base)}},
+                       {{"byteLength", values.size()}, {"uri", data_uri(values)}},
+                       {{"byteLength", list.size()}, {"uri", data_uri(list)}}};
+  sparse["bufferViews"].push_back({{"buffer", 1}, {"byteLength", values.size()}});
+  sparse["bufferViews"].push_back({{"buffer", 2}, {"byteLength", list.size()}});
+  if (!has_base) sparse["accessors"][0].erase("bufferView");
+  sparse["accessors"][0]["sparse"] = {{"count", indices.size()},
+                                      {"indices", {{"bufferView", 4}, {"componentType", 5121}}},
+                                      {"values", {{"bufferView", 3}}}};
+  return sparse;
+}
+
+TEST(Gltf, ReadsSparseAccessors) {
+  EXPECT_EQ(read_json(sparse_document(true, {1, 6})).shape.integrals.volume, 1e6);
+  EXPECT_EQ(read_json(sparse_document(false, {0, 1, 2, 3, 4, 5, 6, 7})).shape.integrals.volume,
+            1e6);
+  EXPECT_EQ(read_json(sparse_document(false, {1, 2, 3, 4, 5, 6, 7})).shape.integrals.volume, 1e6)
+      << "elements that are not replaced are 0";
+}
+
+TEST(Gltf, OfABadSparseAccessorIsRefused) {
+  const std::string cannot = "5 cannot read a.gltf: its accessors[0].sparse";
+  EXPECT_EQ(refusal(sparse_document(true, {1, 14}).dump(), "a.gltf"),
+            cannot + ".indices refers to element 14, but there are 8, from 0 on");
+  for (const auto& indices : {std::vector<std::uint8_t>{6, 1}, {1, 1, 6}}) {
+    EXPECT_EQ(refusal(sparse_document(true, indices).dump(), "a.gltf"),
+              cannot + ".indices is not in order");
+  }
+  json other = sparse_document(true, {1, 6});
+  other["accessors"][0]["sparse"]["count"] = 3;
+  EXPECT_EQ(refusal(other.dump(), "a.gltf"),
+            cannot + ".indices goes beyond the 2 bytes of its buffer view");
+  other["accessors"][0]["sparse"]["count"] = 2;
+  other["accessors"][0]["sparse"]["values"]["byteOffset"] = 4;
+  EXPECT_EQ(refusal(other.dump(), "a.gltf"),
+            cannot + ".values goes beyond the 24 bytes of its buffer view");
+  other["accessors"][0]["sparse"]["indices"]["componentType"] = 5120;
+  EXPECT_THAT(refusal(other.dump(), "a.gltf"), StartsWith(cannot));
 }
 
 TEST(Gltf, OfAVertexThatIsNotThereIsRefused) {
@@ -326,6 +411,10 @@ TEST(Gltf, SaysWhatIsLeftOut) {
   other["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
   EXPECT_THAT(read_json(other).notes,
               ElementsAre(HasSubstr("points or lines"), HasSubstr("skins")));
+  json repeated = document();
+  repeated["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = {{"attributes", json::object()}};
+  EXPECT_THAT(read_json(repeated).notes,
+              ElementsAre("the instances of its nodes (EXT_mesh_gpu_instancing) are left out"));
 }
 
 }  // namespace
