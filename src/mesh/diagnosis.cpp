@@ -61,6 +61,14 @@ void require_closed(const std::string& name, const TriangleMesh& mesh, const Top
                                       edges_text(mesh, topology.branching), also_open(topology)),
                           "remove inner faces, or unite parts that touch");
   }
+  if (!topology.overlapping.empty()) {
+    throw InvalidArgument(
+        name,
+        fmt::format("the triangles that meet at {} are turned over or lie within a volume that "
+                    "counts already{}",
+                    edges_text(mesh, topology.overlapping), also_open(topology)),
+        "unite the parts that overlap there, and turn the faces consistently");
+  }
   if (!topology.opposed.empty()) {
     throw InvalidArgument(name,
                           fmt::format("its triangles disagree on which side is outside at {}{}",

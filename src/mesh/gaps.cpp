@@ -85,8 +85,7 @@ bool closes(body::TriangleMesh mesh, double tolerance) try {
   const std::size_t before = mesh.triangles.size();
   const Welded welded = weld(mesh, tolerance);
   if (100 * welded.removed_triangles > before || mesh.triangles.empty()) return false;
-  const Topology edges = topology(mesh);
-  return edges.open.empty() && edges.branching.empty() && edges.opposed.empty();
+  return topology(mesh).is_closed();
 } catch (const InvalidArgument&) {  // too many vertices are close to each other
   return false;
 }

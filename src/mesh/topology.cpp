@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/disjoint_sets.h"
+#include "mesh/edge_order.h"
 
 namespace twrench::mesh {
 namespace {
@@ -51,7 +52,8 @@ Sides sorted_sides(const body::TriangleMesh& mesh) {
 
 class EdgeReader {
  public:
-  explicit EdgeReader(const body::TriangleMesh& mesh) : sets_(mesh.triangles.size()) {}
+  explicit EdgeReader(const body::TriangleMesh& mesh)
+      : mesh_(&mesh), sets_(mesh.triangles.size()) {}
 
   /// Adds the triangles at an edge.
   void add(std::uint32_t lesser, std::span<const Side> sides) {
@@ -66,7 +68,11 @@ class EdgeReader {
     if (sides[0].is_backward()) std::swap(edge[0], edge[1]);
     if (sides.size() == 1) found_.open.push_back(edge);
     if (sides.size() == 2) found_.opposed.push_back(edge);
-    if (sides.size() > 2) found_.branching.push_back(edge);
+    if (sides.size() <= 2) return;
+    if (2 * backward != sides.size())
+      found_.branching.push_back(edge);
+    else if (!is_solid_at(lesser, sides))
+      found_.overlapping.push_back(edge);
   }
 
   /// Numbers the components and returns the topology.
@@ -81,6 +87,18 @@ class EdgeReader {
   }
 
  private:
+  bool is_solid_at(std::uint32_t lesser, std::span<const Side> sides) const {
+    const std::uint32_t greater = sides[0].greater;
+    std::vector<EdgeTriangle> triangles;
+    for (const Side& side : sides) {
+      const auto& [a, b, c] = mesh_->triangles[side.triangle()];
+      const std::uint32_t third = a ^ b ^ c ^ lesser ^ greater;  // the other two cancel out
+      triangles.push_back({third, !side.is_backward()});
+    }
+    return bounds_solid(*mesh_, lesser, greater, triangles);
+  }
+
+  const body::TriangleMesh* mesh_;
   DisjointSets sets_;
   Topology found_;
 };

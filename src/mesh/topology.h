@@ -16,8 +16,11 @@ using DirectedEdge = std::array<std::uint32_t, 2>;
 struct Topology {
   /// Edges of only one triangle, in the direction of that triangle.
   std::vector<DirectedEdge> open;
-  /// Edges of more than two triangles.
+  /// Edges of more than two triangles whose numbers in the two directions differ.
   std::vector<DirectedEdge> branching;
+  /// Edges of more than two triangles, as many in each direction, that nevertheless bound no solid
+  /// around the edge.
+  std::vector<DirectedEdge> overlapping;
   /// Edges along which two triangles run in the same direction.
   std::vector<DirectedEdge> opposed;
   /// Edges along which the numbers of triangles in the two directions differ.
@@ -26,6 +29,11 @@ struct Topology {
   /// Components are numbered from 0 in the order of their first triangles.
   std::vector<std::uint32_t> component;
   std::size_t components = 0;
+
+  /// Returns whether the triangles bound a solid around each edge. Bodies may touch along an edge.
+  bool is_closed() const {
+    return open.empty() && branching.empty() && overlapping.empty() && opposed.empty();
+  }
 };
 
 /// Returns how the triangles meet. Coincident vertices must already be joined.

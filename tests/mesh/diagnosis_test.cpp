@@ -93,8 +93,93 @@ TEST(Diagnosis, OfEdgesOfMoreThanTwoTriangles) {
   mesh.triangles.push_back({4, 5, 8});
   EXPECT_THAT(refused(mesh), HasSubstr("not manifold: more than two triangles meet at 1 edge, from "
                                        "(0, 0, 1) to (1, 0, 1); it is also open at 2 edges"));
-  EXPECT_THAT(refused(joined(cube({0, 0, 0}, 1), cube({1, 1, 0}, 1))),
-              HasSubstr("meet at 1 edge, from (1, 1, 0) to (1, 1, 1) |"));
+  const TriangleMesh touching = joined(cube({0, 0, 0}, 1), cube({1, 1, 0}, 1));
+  TriangleMesh ends_within = touching;
+  ends_within.triangles.pop_back();
+  EXPECT_THAT(refused(ends_within), HasSubstr("the surface is open at 3 edges"));
+  mesh = touching;
+  mesh.triangles.erase(mesh.triangles.begin() + 17);  // one of the four at the common edge
+  EXPECT_THAT(refused(mesh), HasSubstr("more than two triangles meet at 1 edge, from (1, 1, 0) to "
+                                       "(1, 1, 1); it is also open at 2 edges"));
+}
+
+TEST(Diagnosis, OfBodiesThatOverlapAtAnEdge) {
+  EXPECT_THAT(refused(joined(cube({0, 0, 0}, 1), turned(cube({1, 1, 0}, 1)))),
+              AllOf(HasSubstr("the triangles that meet at 1 edge, from (1, 1, 0) to (1, 1, 1) are "
+                              "turned over or lie within a volume that counts already"),
+                    HasSubstr("| unite the parts that overlap there")));
+  EXPECT_THAT(
+      refused(joined(cube({0, 0, 0}, 1), cube({0, 0, 0}, 1)), {.scale = 1.0, .search = false}),
+      HasSubstr("the triangles that meet at 18 edges, the first from"));
+}
+
+/// Returns the tetrahedron of four points, with its inside within.
+TriangleMesh tetrahedron(const Vector3d& a, const Vector3d& b, const Vector3d& c,
+                         const Vector3d& d) {
+  TriangleMesh mesh;
+  mesh.vertices = {a, b, c, d};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  return (b - a).cross(c - a).dot(d - a) > 0 ? mesh : turned(mesh);
+}
+
+/// Returns half of the unit cube, cut along the diagonal from (0, 0) to (1, 1).
+TriangleMesh half_cube(bool lower) {
+  TriangleMesh mesh;
+  const Vector3d corner = lower ? Vector3d(1, 0, 0) : Vector3d(0, 1, 0);
+  mesh.vertices = {{0, 0, 0}, corner, {1, 1, 0}, {0, 0, 1}, corner + Vector3d(0, 0, 1), {1, 1, 1}};
+  // The two halves have different diagonals in their common face.
+  mesh.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+  mesh.triangles.push_back(lower ? std::array{0U, 5U, 2U} : std::array{0U, 3U, 2U});
+  mesh.triangles.push_back(lower ? std::array{0U, 3U, 5U} : std::array{2U, 3U, 5U});
+  return lower ? mesh : turned(mesh);
+}
+
+/// Expects that a file with all bodies has the sum of their integrals.
+void expect_sum(const std::vector<TriangleMesh>& bodies, const char* what) {
+  TriangleMesh all;
+  double volume = 0;
+  Vector3d first = Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  const auto about = [](const Vector3d& d) -> Eigen::Matrix3d {
+    return d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
+  };
+  for (const TriangleMesh& body : bodies) {
+    all = joined(all, body);
+    const body::SolidIntegrals own =
+        signed_volume(body) > 0 ? body::solid_integrals(body) : body::solid_integrals(turned(body));
+    const double sign = signed_volume(body) > 0 ? 1 : -1;
+    volume += sign * own.volume;
+    first += sign * own.volume * own.centroid;
+    second += sign * (own.inertia + own.volume * about(own.centroid));
+  }
+  SCOPED_TRACE(what);
+  for (const bool is_turned : {false, true}) {
+    const MeshFile file = read(is_turned ? turned(all) : all);
+    const body::SolidIntegrals& found = file.shape.integrals;
+    EXPECT_NEAR(found.volume, volume, 1e-14 * volume);
+    EXPECT_LE((found.centroid - first / volume).norm(), 1e-14);
+    EXPECT_LE((found.inertia - second + volume * about(first / volume)).norm(),
+              1e-14 * second.norm());
+    EXPECT_EQ(file.open_edges, 0U);
+    EXPECT_EQ(file.notes.size(), is_turned ? 1U : 0U);
+  }
+}
+
+TEST(Diagnosis, LetsBodiesShareEdgesFacesAndCorners) {
+  const TriangleMesh unit = cube({0, 0, 0}, 1);
+  expect_sum({unit, cube({1, 1, 0}, 1)}, "an edge");
+  expect_sum({unit, cube({1, 1, 0}, 1), cube({2, 0, 0}, 1)}, "edges, and a corner or an edge each");
+  expect_sum({unit, cube({1, 0, 0}, 1), cube({0, 1, 0}, 1), cube({1, 1, 0}, 1)},
+             "four around an edge");
+  expect_sum({half_cube(true), half_cube(false)}, "the face of a cut");
+  const Vector3d zero = Vector3d::Zero();
+  const TriangleMesh first = tetrahedron(zero, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  expect_sum({first, tetrahedron(zero, {-1, 0, 0}, {0, -2, 0}, {0, 0, -1})}, "a corner");
+  expect_sum({first, tetrahedron(zero, {-1, 0, 0}, {0, -2, 0}, {0, 0, 1})}, "an edge");
+  expect_sum({first, tetrahedron(zero, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1})}, "a face");
+  // A cavity that touches the surface from within along an edge.
+  expect_sum({cube({0, 0, 0}, 3), turned(tetrahedron(zero, {0, 0, 3}, {1, 2, 1}, {2, 1, 1}))},
+             "a cavity");
 }
 
 TEST(Diagnosis, OfTrianglesThatDisagree) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/samples.h"
+#include "mesh/welding.h"
 
 namespace twrench::mesh {
 namespace {
@@ -21,6 +22,32 @@ TEST(Topology, OfClosedSurfacesIsBalanced) {
   EXPECT_EQ(found.components, 2U);
   EXPECT_EQ(found.component[11], 0U);
   EXPECT_EQ(found.component[12], 1U);
+}
+
+/// Returns the topology after equal vertices have been joined.
+Topology of_two(const body::TriangleMesh& one, const body::TriangleMesh& other) {
+  body::TriangleMesh both = joined(one, other);
+  weld(both, 0.0);
+  return topology(both);
+}
+
+TEST(Topology, OfSolidsThatTouchIsClosed) {
+  const body::TriangleMesh first = cube({0, 0, 0}, 1);
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 1, 1)}) {
+    const body::TriangleMesh second = cube(place, 1);
+    EXPECT_TRUE(of_two(first, second).is_closed()) << place.transpose();
+    EXPECT_TRUE(of_two(turned(first), turned(second)).is_closed()) << "both are inside out";
+  }
+  EXPECT_EQ(of_two(first, cube({1, 1, 0}, 1)).components, 1U) << "they share an edge";
+  EXPECT_EQ(of_two(first, cube({1, 1, 1}, 1)).components, 2U);
+}
+
+TEST(Topology, OfSolidsThatOverlapAtAnEdgeIsNot) {
+  const body::TriangleMesh first = cube({0, 0, 0}, 1);
+  EXPECT_THAT(of_two(first, turned(cube({1, 1, 0}, 1))).overlapping, SizeIs(1));
+  EXPECT_THAT(of_two(first, first).overlapping, SizeIs(18));
+  EXPECT_FALSE(of_two(first, first).is_closed());
 }
 
 TEST(Topology, ClassifiesEdges) {
