@@ -16,6 +16,7 @@
 #include "scene/scene_tables.h"
 #include "scene/shot_tables.h"
 #include "system/file.h"
+#include "system/file_kind.h"
 
 namespace twrench::scene {
 namespace {
@@ -32,10 +33,18 @@ void mark_as_of_scene(Scene& scene) {
   }
 }
 
+constexpr const char* files_of_scenes =
+    "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb";
+
+/// Throws system::FileError if the file is of another kind, or in UTF-16.
+void require_text(std::string_view text, const std::string& file) {
+  const auto kind = system::recognized_file_kind(text);
+  if (!kind || text.empty()) return;
+  throw system::FileError("cannot read " + file, fmt::format("it is {}", *kind), files_of_scenes);
+}
+
 Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) {
-  const std::string remedy = has_ending_of_scenes(source)
-                                 ? ""
-                                 : "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb";
+  const std::string remedy = has_ending_of_scenes(source) ? "" : files_of_scenes;
   const toml::table root = parse_toml(text, source, remedy);
   Scene scene;
   scene.name = std::filesystem::path(source).stem().string();
@@ -82,7 +91,9 @@ Scene load_scene(const std::string& name_or_path) {
   if (is_scene_file(name_or_path)) {
     constexpr std::size_t largest = 1 << 20;
     const std::vector<std::uint8_t> bytes = system::read_file(name_or_path, largest);
-    return parse_scene(std::string(bytes.begin(), bytes.end()), name_or_path);
+    const std::string text(bytes.begin(), bytes.end());
+    require_text(text, name_or_path);
+    return parse_scene(text, name_or_path);
   }
   const std::string file = name_or_path + ".toml";
   const auto& builtin = embedded::scenes();

@@ -11,7 +11,9 @@
 
 #include "scene/scene.h"
 #include "scene/scene_json.h"
+#include "scratch_folder.h"
 #include "system/error.h"
+#include "system/file.h"
 
 namespace twrench::scene {
 namespace {
@@ -39,6 +41,30 @@ TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {
     FAIL();
   } catch (const InvalidArgument& error) {
     EXPECT_STREQ(error.what(), "a.toml:2: arrays and tables are nested more than 256 deep");
+  }
+}
+
+TEST(SceneFile, MayBeginWithAByteOrderMark) {
+  EXPECT_EQ(parse_scene("\xEF\xBB\xBFtitle = 'a'\n[body]\nmoments = [2, 3, 4]\n", "a.toml").title,
+            "a");
+}
+
+TEST(SceneFile, ThatIsAnotherFileWithAWrongNameIsNamed) {
+  using namespace std::string_literals;
+  const ScratchFolder folder;
+  const std::string path = folder / "a.toml";
+  for (const auto& [bytes, kind] : {std::pair("\xFF\xD8\xFF\xE0\0"s, "a JPEG picture"),
+                                    {"<!DOCTYPE html>\n"s, "an HTML page"},
+                                    {"\xFF\xFEt\0"s, "text in UTF-16, not in UTF-8"},
+                                    {"t\0i\0t\0l\0e\0"s, "text in UTF-16, not in UTF-8"}}) {
+    system::write_file_atomically(path, bytes);
+    try {
+      load_scene(path);
+      FAIL() << kind;
+    } catch (const system::FileError& error) {
+      EXPECT_EQ(error.what(), fmt::format("cannot read {}: it is {}", path, kind));
+      EXPECT_THAT(error.remedy(), HasSubstr("name a scene file, .toml"));
+    }
   }
 }
 
