@@ -36,11 +36,11 @@ void mark_as_of_scene(Scene& scene) {
 constexpr const char* files_of_scenes =
     "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb";
 
-/// Throws system::FileError if the file is of another kind, or in UTF-16.
+/// Throws InvalidArgument if the file is of another kind, or in UTF-16.
 void require_text(std::string_view text, const std::string& file) {
   const auto kind = system::recognized_file_kind(text);
   if (!kind || text.empty()) return;
-  throw system::FileError("cannot read " + file, fmt::format("it is {}", *kind), files_of_scenes);
+  throw InvalidArgument(file, fmt::format("it is {}", *kind), files_of_scenes);
 }
 
 Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) {

@@ -61,8 +61,8 @@ TEST(SceneFile, ThatIsAnotherFileWithAWrongNameIsNamed) {
     try {
       load_scene(path);
       FAIL() << kind;
-    } catch (const system::FileError& error) {
-      EXPECT_EQ(error.what(), fmt::format("cannot read {}: it is {}", path, kind));
+    } catch (const InvalidArgument& error) {
+      EXPECT_EQ(error.what(), fmt::format("{}: it is {}", path, kind));
       EXPECT_THAT(error.remedy(), HasSubstr("name a scene file, .toml"));
     }
   }
