@@ -21,7 +21,7 @@ class Stability:
     """The behaviour of a small tilt of a steady rotation about a principal axis (docs/theory.md)."""
 
     #: ``unstable``: it grows as exp(rate t); ``stable``: it wobbles as cos(rate t); ``neutral``:
-    #: neither, because another axis has the same moment, or the body is at rest.
+    #: neither, because another axis has the same moment, to 1e-4, or the body is at rest.
     kind: Literal["unstable", "stable", "neutral"]
     #: Rate of growth in 1/s or angular frequency in rad/s; 0 if neutral.
     rate: float

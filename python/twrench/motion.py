@@ -416,7 +416,8 @@ class ExactMotion:
     def flip_interval(self) -> float:
         """Time between flips in s; infinite on the separatrix, NaN if there are no flips.
 
-        A steady motion has no flips, nor does a symmetric body, which has no intermediate axis.
+        A steady motion has no flips, nor does a body with two moments that are equal to 1e-4,
+        which has no intermediate axis.
         """
         flips = self._native.flips
         return flips.interval if flips else math.nan

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "body/equal_moments.h"
+
 namespace twrench::motion {
 
 namespace {
@@ -150,6 +152,8 @@ void ExactSolution::prepare(const FreeBody& body) {
   // A symmetric body has no separatrix; D2 = 0 means spin about an axis in its equator. Products of
   // inertia too small to affect the moments may still tilt L by a rounding error.
   if (D2 == 0 && I[1] == I[2]) return;
+  has_intermediate_axis_ = !body::are_equal_moments(principal.moments[0], principal.moments[1]) &&
+                           !body::are_equal_moments(principal.moments[1], principal.moments[2]);
   kind_ = D2 < 0   ? ExactMotion::Kind::about_least
           : D2 > 0 ? ExactMotion::Kind::about_greatest
                    : ExactMotion::Kind::separatrix;
@@ -246,7 +250,7 @@ ExactSolution::Orbit ExactSolution::orbit(double G, const Vector3d& mu, const Ve
 }
 
 std::optional<ExactMotion::Flips> ExactSolution::flips() const {
-  if (orbit_.m == 0) return std::nullopt;
+  if (orbit_.m == 0 || !has_intermediate_axis_) return std::nullopt;
   const Orbit& o = orbit_;
   const double rate = std::abs(o.rate), phase = std::copysign(1.0, o.rate) * o.phase;
   const double interval = 2 * o.jacobi.quarter_period() / rate;

@@ -57,6 +57,7 @@ class ExactSolution {
   template <class Write>
   void for_each_block(std::span<const double> times, unsigned threads, const Write& write) const;
 
+  bool has_intermediate_axis_ = false;
   ExactMotion::Kind kind_ = ExactMotion::Kind::steady;
   Sample start_;  ///< The given state at t = 0. The constants only reproduce it to rounding.
   Orbit orbit_;

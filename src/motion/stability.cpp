@@ -7,6 +7,7 @@
 
 #include "base/require.h"
 #include "body/ascending_moments.h"
+#include "body/equal_moments.h"
 
 namespace twrench::motion {
 
@@ -25,10 +26,10 @@ Stability stability(const Vector3d& moments, PrincipalAxes::Axis axis, double om
   const double I = moments[axis], J = moments[(axis + 1) % 3], K = moments[(axis + 2) % 3];
   const double square = (I - J) / J * ((I - K) / K);  // of a wobble's frequency over omega
   const double rate = std::abs(omega) * std::sqrt(std::abs(square));
-  // Moments of parts are only known to round-off, so a difference of that size counts as zero.
-  constexpr double same = 1e-12;
-  const bool single = std::abs(I - J) > same * (I + J) && std::abs(I - K) > same * (I + K);
-  if (!single || !(rate > 0)) return {};
+  const auto is_equal = [&](double other) {
+    return body::are_equal_moments(std::min(I, other), std::max(I, other));
+  };
+  if (is_equal(J) || is_equal(K) || !(rate > 0)) return {};
   return {square < 0 ? Stability::Kind::unstable : Stability::Kind::stable, rate};
 }
 

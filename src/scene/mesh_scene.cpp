@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "body/equal_moments.h"
 #include "scene/dimensions.h"
 #include "scene/limits.h"
 #include "scene/mesh_files.h"
@@ -14,10 +15,6 @@ namespace twrench::scene {
 namespace {
 
 using Eigen::Vector3d;
-
-bool are_close(double smaller, double larger, double tolerance) {
-  return larger - smaller <= tolerance * larger;
-}
 
 /// Rounds to that many decimals, so that a scene is the same on every machine. Zero is positive.
 double round_to(int decimals, double value) {
@@ -76,11 +73,11 @@ double azimuth_across(const Vector3d& L) {
 
 Vector3d natural_omega(const body::MassProperties& body) {
   constexpr double push = 0.05, tilt = 0.3;  // rad/s; rad
-  constexpr double ball = 0.01, symmetric = 1e-4;
+  constexpr double ball = 0.01;
   const Vector3d& moments = body.moments;
-  if (are_close(moments[0], moments[2], ball)) return Vector3d::UnitX();
-  const bool is_flat = are_close(moments[0], moments[1], symmetric);
-  if (is_flat || are_close(moments[1], moments[2], symmetric)) {
+  if (moments[2] - moments[0] <= ball * moments[2]) return Vector3d::UnitX();
+  const bool is_flat = body::are_equal_moments(moments[0], moments[1]);
+  if (is_flat || body::are_equal_moments(moments[1], moments[2])) {
     return round_each(tilted(body.axes.col(is_flat ? 2 : 0), tilt));
   }
   const bool differs_below = moments[1] * moments[1] > moments[0] * moments[2];

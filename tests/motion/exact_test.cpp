@@ -264,6 +264,18 @@ TEST(ExactMotion, NothingUnderflowsOfASmallBodyThatIsNearlyASphere) {
   }
 }
 
+TEST(ExactMotion, HasNoFlipsIfTwoMomentsAreNearlyEqual) {
+  const auto flips = [](const Vector3d& moments) {
+    return ExactMotion(FreeBody(moments.asDiagonal(), {0.3, 1, 0.2})).flips();
+  };
+  for (const Vector3d& moments :
+       {Vector3d(2, 2 + 4e-9, 3), Vector3d(2, 2.00019, 3), Vector3d(2, 3, 3.00029)}) {
+    EXPECT_FALSE(flips(moments)) << moments.transpose();
+  }
+  EXPECT_TRUE(flips({2, 2.00021, 3}));
+  EXPECT_TRUE(flips({2, 3, 3.00031}));
+}
+
 TEST(ExactMotion, OnlyTheRatiosOfMomentsMatter) {
   const Vector3d moments(1, 2, 3), omega(0.3, 1.1, -0.4);
   const Sample sample = exact(moments, omega).at(7);

@@ -57,12 +57,15 @@ TEST(Stability, IsThatOfTheLinearisedEquations) {
 
 TEST(Stability, IsNeutralWhereAMomentIsNotSingle) {
   for (const Vector3d& moments :
-       {Vector3d(1, 1, 2), Vector3d(1, 1 + 1e-15, 2), Vector3d(2, 2, 2)}) {
+       {Vector3d(1, 1, 2), Vector3d(1, 1 + 1e-15, 2), Vector3d(1, 1 + 2e-9, 2),
+        Vector3d(1, 1.00009, 2), Vector3d(2, 2, 2)}) {
     EXPECT_EQ(stability(moments, least, 1).kind, Stability::Kind::neutral);
     EXPECT_EQ(stability(moments, least, 1).rate, 0);
     EXPECT_EQ(stability(moments, intermediate, 1).kind, Stability::Kind::neutral);
   }
   EXPECT_EQ(stability({1, 1, 2}, greatest, 1).kind, Stability::Kind::stable);
+  EXPECT_EQ(stability({1, 1 + 2e-9, 2}, greatest, 1).kind, Stability::Kind::stable);
+  EXPECT_EQ(stability({1, 1.0002, 2}, intermediate, 1).kind, Stability::Kind::unstable);
   EXPECT_EQ(stability({1, 2, 3}, intermediate, 0).kind, Stability::Kind::neutral) << "at rest";
 }
 

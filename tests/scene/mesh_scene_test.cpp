@@ -10,6 +10,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "scene/motion_summary.h"
 #include "scratch_folder.h"
 #include "system/file.h"
 
@@ -112,6 +113,21 @@ TEST_F(MeshScene, OfASymmetricBodyDoesNotDependOnRounding) {
   }
 }
 
+// The moments of a symmetric mesh differ by the rounding of its coordinates.
+TEST_F(MeshScene, OfABodyThatIsSymmetricUpToRoundingIsDescribedAsSymmetric) {
+  std::string text = prism(3, 1, 4);
+  const Scene exact = scene_of(text);
+  const std::size_t digit = text.find_first_of("123456789", text.find("0.8660") + 10);
+  text[digit] = text[digit] == '9' ? '8' : static_cast<char>(text[digit] + 1);
+  const Scene rounded = scene_of(text);
+  const Vector3d moments = mass_properties(rounded.body).moments;
+  EXPECT_NE(moments[0], moments[1]);
+  EXPECT_EQ(rounded.motion.omega, exact.motion.omega);
+  EXPECT_EQ(rounded.motion.duration, exact.motion.duration);
+  EXPECT_THAT(motion_summary(rounded), HasSubstr("does not flip"));
+  EXPECT_FALSE(motion::ExactMotion(free_body(rounded)).flips());
+}
+
 TEST_F(MeshScene, OfABodyWithThreeEqualMomentsSpins) {
   for (const double length : {1.0, 1.004}) {
     const Scene scene = scene_of(prism(4, std::sqrt(0.5), length));
@@ -167,6 +183,7 @@ TEST_F(MeshScene, OfAnUnknownFormatIsRefusedWithTheKnownOnes) {
     load_scene(file);
     ADD_FAILURE();
   } catch (const InvalidArgument& error) {
+    EXPECT_THAT(error.what(), testing::EndsWith("x.step: it is a STEP model"));
     EXPECT_THAT(error.remedy(), HasSubstr("a mesh: .obj .stl .ply .gltf .glb"));
   }
 }

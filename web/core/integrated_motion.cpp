@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/require.h"
+#include "body/equal_moments.h"
 #include "motion/energy_contours.h"
 #include "motion/scheme.h"
 #include "scene/limits.h"
@@ -95,10 +96,10 @@ std::optional<double> IntegratedMotion::flip(std::size_t n) {
 }
 
 bool turns_over(const motion::FreeBody& body) {
-  constexpr double same = 1e-9;
   const Vector3d& I = body.principal().moments;
   const double G = body.momentum().stableNorm();
-  const bool has_middle = I[1] > I[0] * (1 + same) && I[2] > I[1] * (1 + same);
+  const bool has_middle =
+      !body::are_equal_moments(I[0], I[1]) && !body::are_equal_moments(I[1], I[2]);
   const Vector3d& m = body.body_momentum();
   const bool is_steady = m.cross(body.omega()).isZero(0.0);
   if (!has_middle || G == 0 || is_steady || body.energy_loss() > 0) return false;

@@ -95,8 +95,8 @@ class ExactMotion {
     /// the body turn over rather than wobble.
     bool turns_over() const { return swing >= std::numbers::pi / 2; }
   };
-  /// Returns the flips; nothing for steady motion or for a symmetric body, which has no
-  /// intermediate axis.
+  /// Returns the flips; nothing for steady motion or for a body with two equal moments, to 1e-4,
+  /// which has no intermediate axis.
   std::optional<Flips> flips() const;
 
   /// Returns the period of the nutation in s: the time in which the momentum traverses its path in

@@ -17,7 +17,7 @@ struct Stability {
   enum class Kind {
     unstable,  ///< It grows as exp(rate * t).
     stable,    ///< It wobbles as cos(rate * t).
-    neutral,   ///< Neither: another axis has the same moment, or the body is at rest.
+    neutral,   ///< Neither: another axis has the same moment, to 1e-4, or the body is at rest.
   };
   /// The behaviour of the tilt.
   Kind kind = Kind::neutral;
