@@ -363,6 +363,21 @@ const tests = {
     await settle(page);
     const text = await page.$eval('#part-axes', (part) => part.innerText);
     assert.match(text, /700, 1000, 1500 g cm²/);
+    assert.match(await page.$eval('#part-own', (part) => part.innerText), /equal, or nearly so.*it spins steadily\./s);
+    quiet();
+    const top = await open(writePage('top.html', '--inertia', '2,2,3', '--omega', '0.3,0,1'), { ...still, ...wide });
+    await settle(top.page);
+    const own = await top.page.$eval('#part-own', (part) => part.innerText);
+    assert.match(own, /its axis of symmetry circles the angular momentum at an angle of 11.3°, once every 4.11 s\./);
+    assert.doesNotMatch(await top.page.$eval('#article', (article) => article.innerText), /[Tt]his body turns over/);
+    const omega = await top.page.evaluate(() => JSON.parse(document.getElementById('scene').textContent).scene.motion.omega);
+    assert.deepEqual((await figure(top.page, 'own')).omegas, [omega], 'the motion of the scene');
+    top.quiet();
+  },
+
+  async 'a body with three different moments has no section on its own motion'() {
+    const { page, quiet } = await open(flip, { ...still, ...wide });
+    assert.equal(await page.$('#part-own'), null);
     quiet();
   },
 

@@ -5,7 +5,7 @@ import { readLink } from '../app/link.js';
 import { Turns } from '../app/turns.js';
 import { css } from '../views/canvas_view.js';
 import { setLanguage } from '../words/words.js';
-import { Body } from './body.js';
+import { Body, isReplaced } from './body.js';
 import { Figure } from './figure.js';
 import { paragraph } from './markup.js';
 import sections from './article.json';
@@ -68,9 +68,13 @@ export class Article {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    this.body = new Body(app.core, app.data);
+    const asBox = isReplaced(app.core, app.data),
+      own = new Body(app.core, app.data, false);
+    this.body = asBox ? new Body(app.core, app.data, true) : own;
     this.root = byId('article');
-    this.parts = /** @type {Section[]} */ (/** @type {any} */ (sections)).map((section) => new Part(section, app, this.body));
+    this.parts = /** @type {Section[]} */ (/** @type {any} */ (sections))
+      .filter(({ ofReplaced }) => asBox || !ofReplaced)
+      .map((section) => new Part(section, app, section.ofReplaced ? own : this.body));
     this.root.append(...this.parts.map((part) => part.element));
     for (const id of ['article', 'lab', 'to-lab']) byId(id).hidden = false;
     this.#write();

@@ -8,26 +8,30 @@ import { add, column, cross, dot, norm, scale } from '../math/linear.js';
 /** @import { PageData } from '../app/types' */
 
 const usualPush = 0.05; // deviation from the axis, as a fraction of the angular velocity
-const threeMoments = [700, 1000, 1500]; // g cm^2, used if two moments of the scene's body are equal
+const threeMoments = [700, 1000, 1500]; // g cm^2, of a box that replaces a body with nearly equal moments
 const leastDifference = 0.01; // of two moments, as a fraction of the greatest
+
+/** Whether two moments of the scene's body differ too little for the article's figures. @param {Core} core @param {PageData} data */
+export function isReplaced(core, { inertia, scene }) {
+  const motion = core.motion(inertia, scene.motion.omega),
+    [least, middle, greatest] = motion.facts.moments;
+  motion.release();
+  return Math.min(middle - least, greatest - middle) < leastDifference * greatest;
+}
 
 /** The index of an axis, least moment first. @typedef {0 | 1 | 2} Axis */
 
 export class Body {
-  /** @param {Core} core @param {PageData} data */
-  constructor(core, data) {
+  /** @param {Core} core @param {PageData} data @param {boolean} asBox Whether a box replaces the scene's body. */
+  constructor(core, data, asBox) {
     this.core = core;
     this.trailLength = data.scene.overlay.trail_length;
     /** @type {number[] | null} */
-    this.moments = null; // of a box that replaces the scene's body
+    this.moments = asBox ? threeMoments : null;
+    const { omega } = data.scene.motion;
     this.inertia = data.inertia;
-    const { omega } = data.scene.motion,
-      scene = this.model(omega),
-      [least, middle, greatest] = scene.facts.moments;
-    if (Math.min(middle - least, greatest - middle) < leastDifference * greatest) {
-      this.moments = threeMoments;
-      this.inertia = diagonal(threeMoments);
-    }
+    const scene = this.model(omega);
+    if (asBox) this.inertia = diagonal(threeMoments);
     // The rate about the axis about which the scene's body mainly spins.
     const along = [0, 1, 2].map((i) => Math.abs(dot(column(scene.facts.axes, i), omega)));
     this.rate = Math.max(...along) || 1;

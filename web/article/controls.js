@@ -29,14 +29,21 @@ const own = {
   set: (/** @type {Figure} */ figure, /** @type {number} */ value) => figure.setValue(value),
 };
 
+/** The time. */
+const timeline = {
+  label: 'timeOfFigure',
+  range: (/** @type {Figure} */ { store: { state } }) => [state.from, state.from + state.length],
+  value: (/** @type {Figure} */ { store }) => Number(store.state.t.toPrecision(4)),
+  set: (/** @type {Figure} */ { store }, /** @type {number} */ t) => seek(store, t),
+};
+
 /** @type {Record<ControlName, Control>} */
 export const controls = {
-  time: {
-    label: 'timeOfFigure',
-    range: ({ store: { state } }) => [state.from, state.from + state.length],
-    value: ({ store }) => Number(store.state.t.toPrecision(4)),
-    set: ({ store }, t) => seek(store, t),
-    omegas: (figure) => spins(figure),
+  time: { ...timeline, omegas: (figure) => spins(figure) },
+  sceneTime: {
+    ...timeline,
+    omegas: ({ app }) => [app.data.scene.motion.omega],
+    interiors: ({ store: { initial } }) => [{ wheel: initial.wheel, energyLossTime: initial.energy_loss_time }],
   },
   push: {
     ...own,

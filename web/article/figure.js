@@ -61,6 +61,7 @@ export class Figure {
     const initial = initialState(this.app.data, navigator.languages),
       { flips, flipSeconds, show, frame = 'space', compare = 'off', methods = initial.methods } = this.description,
       { interval, moments } = this.body;
+    if (this.description.control === 'sceneTime') return { ...initial, show, frame, compare };
     return {
       ...initial,
       show,

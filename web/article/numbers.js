@@ -41,11 +41,23 @@ function largestLean({ body, axes, models }, index) {
   return Math.max(...leans(body, axes[index], model, model.motion.samples(evenly(0, end, samplesOfLean))));
 }
 
-/** What happens to the body. @param {MotionModel} model */
-function fate({ facts: { flips, turnsOver } }) {
-  if (!flips) return word('spinsSteadily');
+/** What happens to the body. @param {Figure} figure */
+function fate({ body, models: [{ facts }] }) {
+  const { flips, turnsOver, kind } = facts;
+  if (!kind) return word('movesInside');
+  if (kind === 'steady') return word('spinsSteadily');
+  if (!flips) return circling(body, facts);
   if (!turnsOver) return word('wobbles', degrees(flips.swing));
   return word('turnsOver', duration(flips.interval));
+}
+
+/** How the axis of a symmetric body circles L. A ball has no such axis. @param {Figure["body"]} body @param {MotionModel["facts"]} facts */
+function circling(body, { momentum, moments, axes }) {
+  const single = /** @type {Axis[]} */ ([0, 2]).find((axis) => body.stability(axis).kind !== 'neutral');
+  if (single === undefined) return word('spinsSteadily');
+  const along = Math.abs(dot(column(axes, single), momentum)) / norm(momentum),
+    period = (2 * Math.PI * moments[1]) / norm(momentum);
+  return word('circles', degrees(Math.acos(Math.min(along, 1))), duration(period));
 }
 
 /** The torques in dyn cm of the centrifugal force that pull a leaning body back and over. @param {Figure} figure @param {number} lean degrees */
@@ -65,7 +77,7 @@ const ofMotion = {
   interval: ({ models }) => duration(models[0].facts.flips?.interval ?? Infinity),
   first: ({ models }) => duration(models[0].facts.flips?.first ?? Infinity),
   swing: ({ models }) => degrees(models[0].facts.flips?.swing ?? 0),
-  fate: ({ models }) => fate(models[0]),
+  fate,
   moments: ({ body }) => body.facts.moments.map(brief).join(', '),
   push: ({ value }) => percent(value),
   axis: ({ value }) => `${brief(value)}°`,

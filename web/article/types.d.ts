@@ -1,7 +1,7 @@
 // The sections of the article (article.json).
 import type { Comparison, FrameName } from '../app/types';
 export type AxisName = 'least' | 'middle' | 'greatest';
-export type ControlName = 'time' | 'push' | 'axis' | 'lean' | 'start' | 'delay' | 'step' | 'wheel';
+export type ControlName = 'time' | 'sceneTime' | 'push' | 'axis' | 'lean' | 'start' | 'delay' | 'step' | 'wheel';
 
 /**
  * The texts of a section. In them {name} is a number of numbers.js, and [thing|words] are words in the colour
@@ -34,6 +34,7 @@ export interface FigureDescription {
 
 export interface Section {
   id: string;
+  ofReplaced?: boolean; // Whether it shows the scene's motion, on pages whose other figures show a box instead.
   figure: FigureDescription;
   formula?: { math: string; text: string }; // MathML, and text for browsers without it.
   en: SectionText;
