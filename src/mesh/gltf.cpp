@@ -69,8 +69,8 @@ class GltfReader {
     for (std::size_t i = 0; i < document_.size("extensionsRequired"); ++i) {
       const std::string name = document_.at("extensionsRequired").at(i).text();
       // These change only the appearance, or allow number types that are read anyway.
-      constexpr std::array harmless{"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
-                                    "KHR_mesh_quantization"};
+      constexpr std::array harmless{"KHR_materials_", "KHR_texture_", "EXT_texture_",
+                                    "MSFT_texture_",  "KHR_lights_",  "KHR_mesh_quantization"};
       if (std::ranges::any_of(harmless, [&](const char* h) { return name.starts_with(h); }))
         continue;
       throw InvalidArgument(

@@ -114,16 +114,29 @@ class TextReader {
       : name_(source.name), lines_(source.name, source.bytes) {}
 
   Content read() {
+    std::vector<std::string> notes;
     while (next_line()) {
-      if (is("solid"))
+      if (is("solid")) {
         read_solid();
-      else
-        throw expected("solid");
+        continue;
+      }
+      // The first line is "solid", so this one follows an "endsolid".
+      if (is("facet") || has_facets_after(lines_)) throw expected("solid");
+      notes.push_back(fmt::format("the text from line {} on, after 'endsolid', is left out",
+                                  lines_.line_number()));
+      break;
     }
-    return {.mesh = std::move(mesh_)};
+    return {.mesh = std::move(mesh_), .notes = std::move(notes)};
   }
 
  private:
+  static bool has_facets_after(LineReader lines) {
+    while (lines.next()) {
+      if (keyword(lines) == "facet") return true;
+    }
+    return false;
+  }
+
   void read_solid() {
     while (next_line()) {
       if (is("endsolid")) return;
@@ -187,6 +200,13 @@ bool is_text(std::string_view bytes) {
   return first == "solid" && bytes.substr(0, header_bytes).find('\0') == std::string_view::npos;
 }
 
+/// Returns whether what would be the header and the triangle count of a binary file is ASCII text.
+bool begins_with_ascii(std::string_view bytes) {
+  return std::ranges::all_of(bytes.substr(0, header_bytes), [](unsigned char c) {
+    return c < 0x80 && (std::isprint(c) || std::isspace(c));
+  });
+}
+
 /// Returns whether a line at the beginning of a text file begins with "facet" or "endsolid".
 bool has_lines(std::string_view bytes) {
   LineReader lines("", bytes.substr(0, 4096));
@@ -214,6 +234,10 @@ Content read_stl(const Source& source) {
   if (is_text(bytes)) {
     throw system::FileError(what, "it begins as a text STL, but no line begins with 'facet'",
                             "put each 'facet', 'vertex' and 'endfacet' on a separate line");
+  }
+  if (begins_with_ascii(bytes)) {
+    throw system::FileError(what, "it is text, but does not begin with 'solid'",
+                            "save it as STL, or give it the extension of its format");
   }
   if (bytes.size() > expected_bytes(bytes) && triangle_count(bytes) > 0) {
     return read_longer_binary(source);

@@ -66,6 +66,28 @@ TEST(Stl, TextMayHaveAByteOrderMarkOrBlankLinesBeforeIt) {
   }
 }
 
+TEST(Stl, TextMayHaveLinesAfterItsEnd) {
+  const std::string text = text_stl(unit_cube);
+  for (const char* after : {"\x1A", "made by hand\n", "\n; end\n\n; of file\n"}) {
+    const MeshFile file = read_mesh(text + after, "a.stl", {.scale = 1.0});
+    EXPECT_EQ(file.shape.integrals.volume, 1) << after;
+    EXPECT_THAT(file.notes, ElementsAre(testing::HasSubstr("after 'endsolid', is left out")));
+  }
+  EXPECT_THAT(read_mesh(text + "; end\n", "a.stl", {.scale = 1.0}).notes,
+              ElementsAre("the text from line 87 on, after 'endsolid', is left out"));
+  EXPECT_EQ(refusal(text + "sold b\n" + text.substr(text.find(" facet")), "a.stl"),
+            "5 a.stl:87: 'solid' should stand here, not 'sold'");
+  EXPECT_EQ(refusal(text + "facet normal 0 0 0\n", "a.stl"),
+            "5 a.stl:87: 'solid' should stand here, not 'facet'");
+}
+
+TEST(Stl, OfOtherTextIsNoDamagedBinary) {
+  EXPECT_EQ(refusal(obj_of(unit_cube), "a.stl"),
+            "5 cannot read a.stl: it is text, but does not begin with 'solid'");
+  EXPECT_EQ(refusal("# a comment\n" + text_stl(unit_cube), "a.stl"),
+            "5 cannot read a.stl: it is text, but does not begin with 'solid'");
+}
+
 TEST(Stl, LinesMayEndWithCr) {
   std::string text = text_stl(unit_cube);
   std::ranges::replace(text, '\n', '\r');
