@@ -41,14 +41,17 @@ const Format& gnuplot_format(const system::OutputFormat& format) {
   return *std::ranges::find(formats, format.name, &Format::name);
 }
 
-/// Starts gnuplot without the user's ~/.gnuplot and environment settings, so that plots are
-/// reproducible.
-system::ChildProcess start(const std::vector<std::string>& arguments,
-                           int output = system::ChildProcess::output_dropped) {
+/// gnuplot without the user's ~/.gnuplot and environment settings, so that plots are reproducible.
+std::vector<std::string> command_of(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"gnuplot", "--default-settings"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return system::start_program<PlotError>(command, "install it: apt-get install gnuplot-nox", {},
-                                          output);
+  return command;
+}
+
+system::ChildProcess start(const std::vector<std::string>& arguments,
+                           int output = system::ChildProcess::output_dropped) {
+  return system::start_program<PlotError>(command_of(arguments),
+                                          "install it: apt-get install gnuplot-nox", {}, output);
 }
 
 /// The plot has the same size in all formats, each in its own units; PNG has twice the resolution.
@@ -76,9 +79,7 @@ void draw(int output, const Format& format, const Plot& plot, const std::string&
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(script.data());
   gnuplot.write({bytes, script.size()});
   if (const int status = gnuplot.wait(); status != 0) {
-    throw PlotError("cannot draw " + name,
-                    fmt::format("gnuplot ended with exit status {}: {}", status,
-                                system::error_summary(gnuplot.error_output())));
+    throw PlotError("cannot draw " + name, system::failure_of("gnuplot", gnuplot, status));
   }
 }
 
@@ -113,11 +114,15 @@ std::string gnuplot_string(std::string_view text) {
 
 void require_gnuplot(const system::OutputFormat& format) {
   const std::string_view terminal = gnuplot_format(format).terminal;
-  system::ChildProcess gnuplot = start({"-e", fmt::format("set terminal {}", terminal)});
-  if (gnuplot.wait() == 0) return;
+  const std::vector<std::string> test{"-e", fmt::format("set terminal {}", terminal)};
+  system::ChildProcess gnuplot = start(test);
+  const int status = gnuplot.wait();
+  if (status == 0) return;
+  constexpr int signals = 128;  // a status above it means that a signal ended the program
   throw PlotError(fmt::format("gnuplot cannot write {} files", format.endings[0]),
-                  system::error_summary(gnuplot.error_output()),
-                  "install a build that can: apt-get install gnuplot-nox");
+                  system::failure_of("gnuplot", gnuplot, status),
+                  status > signals ? "try it by hand: " + system::shell_command(command_of(test))
+                                   : "install a build that can: apt-get install gnuplot-nox");
 }
 
 std::string svg(const Plot& plot) { return drawn(formats[0], plot, "the figure"); }

@@ -120,19 +120,21 @@ pid_t spawn(std::vector<std::string> command, const Descriptor& input, int outpu
   return pid;
 }
 
-/// Measures idle time as the sum of short waits that ended without an event. Time during which this
-/// program is stopped, and cannot see events, thus counts as at most one wait.
+/// Measures the time without progress as the sum of short waits. What a child prints is not
+/// progress: it may print without end. Time during which this program is stopped, and cannot see
+/// progress, counts as at most one wait.
 class Idleness {
  public:
   explicit Idleness(const Patience& patience) : left_(patience.time), stop_(patience.stop) {}
 
-  /// Waits for the events and returns whether there were any; idle time accumulates otherwise. A
-  /// wait interrupted by a signal counts as an event.
+  /// Waits for the events and returns whether there were any. The time that this takes accumulates.
   bool wait(std::span<pollfd> events, ChildProcess::Time most = longest_wait) {
-    const ChildProcess::Time span = std::min(left_, most);
+    const auto span =
+        std::clamp(std::chrono::ceil<ChildProcess::Time>(left_), ChildProcess::Time(0), most);
+    const Clock::time_point start = Clock::now();
     const int found = ::poll(events.data(), events.size(), static_cast<int>(span.count()));
-    if (found == 0) left_ -= span;
     if (found < 0 && errno != EINTR) throw_system_error(errno, "poll");
+    left_ -= std::min<Clock::duration>(Clock::now() - start, span);
     return found > 0;
   }
   bool is_over() const { return left_.count() <= 0 || (stop_ != nullptr && *stop_); }
@@ -141,7 +143,8 @@ class Idleness {
   static constexpr ChildProcess::Time longest_wait = std::chrono::milliseconds(200);
 
  private:
-  ChildProcess::Time left_;
+  using Clock = std::chrono::steady_clock;
+  Clock::duration left_;
   const std::atomic<bool>* stop_;
 };
 
@@ -205,7 +208,7 @@ bool ChildProcess::has_ended() {
   return true;
 }
 
-void ChildProcess::read_errors() {
+int ChildProcess::read_errors() {
   constexpr std::size_t kept = 8192;
   std::array<char, 4096> portion{};
   const ssize_t got = ::read(errors_.get(), portion.data(), portion.size());
@@ -215,10 +218,12 @@ void ChildProcess::read_errors() {
   } else if (got == 0 || errno != EINTR) {
     errors_.close();
   }
+  return static_cast<int>(std::max<ssize_t>(got, 0));
 }
 
-void ChildProcess::kill_unresponsive() {
+void ChildProcess::kill_unresponsive(Time waited) {
   timed_out_ = true;
+  time_waited_ = waited;
   ::kill(-pid_, SIGKILL);
 }
 
@@ -236,16 +241,12 @@ bool ChildProcess::send(std::span<const std::uint8_t> bytes, Put put) {
     // Standard error is read meanwhile, because a child blocked on writing errors would stop
     // reading.
     std::array<pollfd, 2> ready{{{input_.get(), POLLOUT, 0}, {errors_.get(), POLLIN, 0}}};
-    if (!idle.wait(ready)) {
+    const bool has_event = idle.wait(ready);
+    if (has_event && ready[1].revents != 0) read_errors();
+    if (!has_event || ready[0].revents == 0) {
       if (!idle.is_over()) continue;
-      kill_unresponsive();
+      kill_unresponsive(patience_.time);
       return false;
-    }
-    if (ready[1].revents != 0) {
-      read_errors();
-    }
-    if (ready[0].revents == 0) {
-      continue;
     }
     const ssize_t written = put(input_.get(), bytes);
     if (written >= 0) {
@@ -261,7 +262,8 @@ bool ChildProcess::send(std::span<const std::uint8_t> bytes, Put put) {
 int ChildProcess::wait(Time work_left) {
   if (pid_ < 0) return exit_status(status_);
   input_.close();
-  Idleness idle({patience_.time + work_left, patience_.stop});
+  const Time most_time = patience_.time + work_left;
+  Idleness idle({most_time, patience_.stop});
   std::array<pollfd, 1> ready{};
   while (!has_ended()) {
     // The end of standard error usually means the end of the child. If the child closed it earlier,
@@ -269,10 +271,13 @@ int ChildProcess::wait(Time work_left) {
     ready[0] = {errors_.get(), POLLIN, 0};
     const Time most = errors_ ? Idleness::longest_wait : Time(1);
     if (idle.wait(ready, most)) read_errors();
-    if (idle.is_over() && !timed_out_) kill_unresponsive();
+    if (idle.is_over() && !timed_out_) kill_unresponsive(most_time);
   }
-  for (ready[0] = {errors_.get(), POLLIN, 0}; errors_ && ::poll(ready.data(), 1, 0) > 0;) {
-    read_errors();
+  // Only what is in the pipe: a process that the child started may still be printing.
+  const int in_pipe = errors_ ? ::fcntl(errors_.get(), F_GETPIPE_SZ) : 0;
+  ready[0] = {errors_.get(), POLLIN, 0};
+  for (int read = 0; read < in_pipe && errors_ && ::poll(ready.data(), 1, 0) > 0;) {
+    read += read_errors();
   }
   return exit_status(status_);
 }

@@ -17,6 +17,7 @@
 namespace twrench::system {
 
 /// How long to wait for a child process that accepts no data or does not exit, before it is killed.
+/// Messages that it prints do not prolong the wait.
 struct Patience {
   /// The time after which it is considered hung. Time during which this program itself is stopped
   /// does not count.
@@ -67,6 +68,9 @@ class ChildProcess {
   /// Returns whether it was killed because it exhausted the patience.
   bool timed_out() const { return timed_out_; }
 
+  /// Returns how long it made no progress before it was killed, if timed_out().
+  Time time_waited() const { return time_waited_; }
+
   /// Returns the end of its standard error output, up to 8 KiB.
   const std::string& error_output() const { return error_output_; }
 
@@ -74,13 +78,15 @@ class ChildProcess {
   using Put = ssize_t (*)(int pipe, std::span<const std::uint8_t> bytes);
 
   bool send(std::span<const std::uint8_t> bytes, Put put);
-  void read_errors();
-  void kill_unresponsive();
+  /// Returns the number of bytes read.
+  int read_errors();
+  void kill_unresponsive(Time waited);
   /// Checks without waiting. If it has ended, its process number may be reused by the system.
   bool has_ended();
 
   Patience patience_;
   bool timed_out_ = false;
+  Time time_waited_{};
   Descriptor input_;   ///< To its standard input; non-blocking.
   Descriptor errors_;  ///< From its standard error; none after its end.
   pid_t pid_ = -1;     ///< -1 once it has been reaped.

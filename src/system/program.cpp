@@ -1,7 +1,10 @@
 #include "system/program.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 
 namespace twrench::system {
 
@@ -55,6 +58,18 @@ std::string error_summary(std::string_view output) {
     tail.replace(at, 1, "; ");
   }
   return tail.empty() ? "it printed no message" : tail;
+}
+
+std::string failure_of(const std::string& program, const ChildProcess& child, int status) {
+  const std::string printed = error_summary(child.error_output());
+  if (child.timed_out()) {
+    return fmt::format("{} made no progress for {:.3g} s and was killed: {}", program,
+                       std::chrono::duration<double>(child.time_waited()).count(), printed);
+  }
+  if (status == 0) {
+    return fmt::format("{} ended before it had read all of its input: {}", program, printed);
+  }
+  return fmt::format("{} ended with exit status {}: {}", program, status, printed);
 }
 
 std::string shell_command(std::span<const std::string> command) {

@@ -34,6 +34,10 @@ ChildProcess start_program(const std::vector<std::string>& command, const std::s
 /// Returns the last lines of a program's output as one line for an error message.
 std::string error_summary(std::string_view output);
 
+/// Returns how a program failed that has ended, for an error message. `program` is its name. If it
+/// reported success, it ended before it had read its input.
+std::string failure_of(const std::string& program, const ChildProcess& child, int status);
+
 /// Returns the command in a form that can be pasted into a POSIX shell.
 std::string shell_command(std::span<const std::string> command);
 

@@ -27,11 +27,9 @@ system::ChildProcess start_ffmpeg(const Arguments& command, system::Patience pat
   return system::start_program<EncoderError>(command, ffmpeg_remedy, patience, output);
 }
 
-/// The reason why ffmpeg failed, with its own message.
-std::string failure(const system::ChildProcess& ffmpeg, int status) {
-  const std::string said = system::error_summary(ffmpeg.error_output());
-  if (ffmpeg.timed_out()) return "ffmpeg stopped responding and was killed: " + said;
-  return fmt::format("ffmpeg ended with exit status {}: {}", status, said);
+/// A user can try the command by hand.
+std::string command_remedy(const Arguments& command) {
+  return "the command was: " + system::shell_command(command);
 }
 
 /// The system's error number of the file if it made ffmpeg fail; otherwise 0.
@@ -68,8 +66,8 @@ Arguments more_inputs(const std::optional<system::MemoryFile>& chapters, const S
 }  // namespace
 
 void require_encoder(const VideoFormat& format, system::Patience patience) {
-  system::ChildProcess ffmpeg =
-      start_ffmpeg(joined({{"ffmpeg"}, encoder_arguments(format), {"-f", "null", "-"}}), patience);
+  const Arguments command = joined({{"ffmpeg"}, encoder_arguments(format), {"-f", "null", "-"}});
+  system::ChildProcess ffmpeg = start_ffmpeg(command, patience);
   start_ffmpeg({"ffprobe", "-version"}, patience);  // killed at once: it need only start
   // A frame of the real size, because not every encoder supports every size.
   if (format.is_rgb()) {
@@ -79,10 +77,12 @@ void require_encoder(const VideoFormat& format, system::Patience patience) {
   }
   if (const int status = ffmpeg.wait(); status != 0) {
     throw EncoderError(
-        "ffmpeg cannot encode the video", failure(ffmpeg, status),
-        fmt::format(
-            "choose a smaller size, or install an ffmpeg that has {}: apt-get install ffmpeg",
-            output_format(format.container).encoding(format.transparent).codec->name));
+        "ffmpeg cannot encode the video", system::failure_of("ffmpeg", ffmpeg, status),
+        ffmpeg.timed_out()
+            ? command_remedy(command)
+            : fmt::format(
+                  "choose a smaller size, or install an ffmpeg that has {}: apt-get install ffmpeg",
+                  output_format(format.container).encoding(format.transparent).codec->name));
   }
 }
 
@@ -210,7 +210,7 @@ void VideoEncoder::require_whole() const {
                          film->frames, film->duration, film->width, film->height, frames, duration,
                          width, height)
            : "ffmpeg reported success, but its output is not a video",
-      "the command was: " + system::shell_command(command_));
+      command_remedy(command_));
 }
 
 void VideoEncoder::fail() {
@@ -218,8 +218,8 @@ void VideoEncoder::fail() {
   const std::string what = "cannot encode " + name_;
   if (const int error = file_failure(ffmpeg_->error_output(), status))
     throw system::file_error(what, error);
-  throw EncoderError(what, failure(*ffmpeg_, status),
-                     "the command was: " + system::shell_command(command_));
+  throw EncoderError(what, system::failure_of("ffmpeg", *ffmpeg_, status),
+                     command_remedy(command_));
 }
 
 }  // namespace twrench::video

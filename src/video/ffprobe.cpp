@@ -25,7 +25,13 @@ std::optional<nlohmann::json> ffprobe(const std::filesystem::path& file,
   command.insert(command.end(), {"-of", "json", "file:" + file.string()});
   const system::MemoryFile output("");
   auto child = system::start_program<EncoderError>(command, ffmpeg_remedy, {}, output.descriptor());
-  if (child.wait(disk_time(file)) != 0) return std::nullopt;
+  const int status = child.wait(disk_time(file));
+  if (child.timed_out()) {
+    throw EncoderError("cannot examine " + file.string(),
+                       system::failure_of("ffprobe", child, status),
+                       "the command was: " + system::shell_command(command));
+  }
+  if (status != 0) return std::nullopt;
   try {
     return nlohmann::json::parse(output.contents());
   } catch (const nlohmann::json::exception&) {

@@ -14,7 +14,7 @@ namespace twrench::video {
 system::ChildProcess::Time disk_time(const std::filesystem::path& file);
 
 /// Returns what ffprobe finds in the file; nothing if it does not recognise it. `options` select
-/// the properties. Throws EncoderError if ffprobe is missing.
+/// the properties. Throws EncoderError if ffprobe is missing or hangs.
 std::optional<nlohmann::json> ffprobe(const std::filesystem::path& file,
                                       const std::vector<std::string>& options);
 

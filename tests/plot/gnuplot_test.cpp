@@ -133,8 +133,21 @@ TEST(Gnuplot, LacksAFormat) {
     require_gnuplot(system::plot_output.formats[1]);
     FAIL();
   } catch (const PlotError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("gnuplot cannot write .pdf files: "));
     EXPECT_THAT(error.what(), HasSubstr("unknown terminal"));
     EXPECT_THAT(error.remedy(), HasSubstr("gnuplot-nox"));
+  }
+}
+
+TEST(Gnuplot, ThatIsKilledIsNotABuildThatLacksAFormat) {
+  const ScratchFolder scratch;
+  const StubGnuplot stub(scratch, "kill -KILL $$\n");
+  try {
+    require_gnuplot("a.svg");
+    FAIL();
+  } catch (const PlotError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("gnuplot ended with exit status 137"));
+    EXPECT_EQ(error.remedy(), "try it by hand: gnuplot --default-settings -e 'set terminal svg'");
   }
 }
 

@@ -226,6 +226,31 @@ TEST(ChildProcess, ThatDoesNotEndIsKilled) {
   }
 }
 
+// What it prints is no progress, however much it prints.
+TEST(ChildProcess, ThatOnlyPrintsIsKilled) {
+  const std::string prints = "while :; do echo busy; done >&2";
+  for (const std::string& script : {prints, "cat >/dev/null; " + prints}) {
+    ChildProcess child(shell(script), {milliseconds(500)});
+    if (script == prints) {
+      EXPECT_FALSE(child.write(bytes(10'000'000)));
+    }
+    EXPECT_EQ(child.wait(), 128 + SIGKILL);
+    EXPECT_TRUE(child.timed_out());
+    EXPECT_EQ(child.time_waited(), milliseconds(500));
+  }
+}
+
+TEST(ChildProcess, IsNotWaitedForWhileItsOwnChildPrints) {
+  const ScratchFolder scratch;
+  const std::string pid = (scratch / "pid").string();
+  ChildProcess child(shell("while :; do echo busy; done >&2 & echo $! >'" + pid + "'"));
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_THAT(child.error_output().size(), testing::Le(8192U));
+  std::string printer;
+  ASSERT_TRUE(std::ifstream(pid) >> printer);
+  ::kill(std::stoi(printer), SIGKILL);
+}
+
 TEST(ChildProcess, IsKilledWhenAskedToStop) {
   std::atomic<bool> stop = false;
   const Patience patience{std::chrono::hours(1), &stop};

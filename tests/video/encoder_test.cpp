@@ -743,10 +743,19 @@ TEST(Encoder, ThatDiesMidwayIsTold) {
   EXPECT_EQ(system::read_file(scratch / "film.mp4", 100).size(), 15U);
 }
 
+TEST(Encoder, ThatEndsTooEarlyIsToldAlthoughItReportsSuccess) {
+  const ScratchFolder scratch;
+  const StubFfmpeg stub(scratch, "head -c 1000 >/dev/null; exit 0");
+  EXPECT_THAT(failure<EncoderError>(scratch / "film.mp4").what(),
+              HasSubstr("ffmpeg ended before it had read all of its input"));
+}
+
 TEST(Encoder, ThatHangsIsStoppedAndTold) {
   constexpr system::Patience patience{std::chrono::milliseconds(200)};
   const ScratchFolder scratch;
-  for (const char* script : {"sleep 1000", "cat >/dev/null; sleep 1000"}) {
+  for (const char* script :
+       {"sleep 1000", "cat >/dev/null; sleep 1000", "while :; do echo busy >&2; done",
+        "cat >/dev/null; while :; do echo busy >&2; done"}) {
     const StubFfmpeg stub(scratch, script);
     try {
       VideoEncoder encoder(scratch / "film.mp4", format, {}, {}, patience);
@@ -754,10 +763,16 @@ TEST(Encoder, ThatHangsIsStoppedAndTold) {
       encoder.finish();
       FAIL();
     } catch (const EncoderError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("ffmpeg stopped responding and was killed"));
+      EXPECT_THAT(error.what(), HasSubstr("ffmpeg made no progress for 0.2 s and was killed"));
     }
     EXPECT_THAT(scratch.names(), ElementsAre("bin"));
-    EXPECT_THROW(require_encoder(format, patience), EncoderError);
+    try {
+      require_encoder(format, patience);
+      FAIL();
+    } catch (const EncoderError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("ffmpeg made no progress for 0.2 s and was killed"));
+      EXPECT_THAT(error.remedy(), HasSubstr("the command was: ffmpeg -hide_banner"));
+    }
   }
 }
 
