@@ -28,9 +28,7 @@ std::int64_t sample_at(double time) { return std::llround(time * sample_rate); }
 
 /// The filters of a sound file, which convert it and move it to its start.
 std::string file_filters(const PlacedSound& sound, const SoundMix& mix) {
-  std::string filters = fmt::format(
-      "aresample={},aformat=sample_fmts=fltp:channel_layouts=stereo,asetpts=PTS-STARTPTS",
-      sample_rate);
+  std::string filters = sound_conversion() + ",asetpts=PTS-STARTPTS";
   const double room = mix.film_length - sound.start;
   if (sound_length(sound.file) > room) {
     const double fade = std::min(fade_out, room / 2);
@@ -65,11 +63,15 @@ std::string filter_graph(const SoundMix& mix) {
 }
 
 Arguments command_of(const SoundMix& mix, const SoundCodec& codec, const std::string& output) {
-  Arguments command = joined({{"ffmpeg"}, words_of(quiet_options)});
+  // Not strict (-xerror): the files were decoded before, and the end of a file that was written to
+  // a pipe is no error.
+  Arguments command = words_of("ffmpeg -hide_banner -loglevel error -y");
   for (const PlacedSound& sound : mix.files) {
-    command.insert(command.end(),
-                   {"-vn", "-sn", "-dn", "-t", fmt::format("{:.6f}", mix.film_length - sound.start),
-                    "-i", "file:" + sound.file.string()});
+    command =
+        joined({command,
+                sound_input_options(),
+                {"-vn", "-sn", "-dn", "-t", fmt::format("{:.6f}", mix.film_length - sound.start),
+                 "-i", "file:" + sound.file.string()}});
   }
   const Arguments motion = words_of(fmt::format("-f f32le -ar {} -ac 2 -i pipe:0", sample_rate));
   return joined({command,
@@ -83,6 +85,9 @@ Arguments command_of(const SoundMix& mix, const SoundCodec& codec, const std::st
 
 SoundTrack::SoundTrack(const SoundMix& mix, Container container, system::Patience patience) {
   const SoundCodec& codec = *output_format(container).sound;
+  for (const PlacedSound& sound : mix.files) {
+    require_sound(sound.file, mix.film_length - sound.start, patience);
+  }
   const Arguments command = command_of(mix, codec, input());
   system::ChildProcess ffmpeg =
       system::start_program<EncoderError>(command, ffmpeg_remedy, patience);
@@ -95,14 +100,11 @@ SoundTrack::SoundTrack(const SoundMix& mix, Container container, system::Patienc
   // Ten times as long as a slow processor needs.
   const auto work = std::chrono::milliseconds(std::llround(1e3 * mix.end));
   if (const int status = ffmpeg.wait(work); status != 0) {
-    throw EncoderError("cannot encode the sound",
-                       ffmpeg.timed_out()
-                           ? "ffmpeg stopped responding and was killed"
-                           : fmt::format("ffmpeg ended with exit status {}: {}", status,
-                                         system::error_summary(ffmpeg.error_output())),
-                       fmt::format("name sound files that ffmpeg reads, and install an ffmpeg that "
-                                   "has {}: apt-get install ffmpeg",
-                                   codec.name));
+    throw EncoderError(
+        "cannot encode the sound", system::failure_of("ffmpeg", ffmpeg, status),
+        ffmpeg.timed_out()
+            ? "the command was: " + system::shell_command(command)
+            : fmt::format("install an ffmpeg that has {}: apt-get install ffmpeg", codec.name));
   }
 }
 
