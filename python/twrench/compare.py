@@ -34,6 +34,9 @@ class FrameComparison:
     share: float | None
     #: Structural similarity; None unless it is the metric.
     ssim: float | None
+    #: How the files differ without making the pictures different, such as an alpha channel that is
+    #: opaque everywhere.
+    notes: list[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -123,6 +126,7 @@ def compare(
             mean_difference=frame.get("mean"),
             share=frame.get("share"),
             ssim=frame.get("ssim"),
+            notes=frame.get("notes", []),
         )
         for frame in json.loads(document)["frames"]
     ]

@@ -70,6 +70,7 @@ FrameResult compare_pictures(const PngFile& expected, const PngFile& actual,
                              const Criteria& criteria) {
   PicturePair pair(expected, actual);
   FrameResult frame;
+  frame.notes = pair.notes();
   if (!pair.same_format()) {
     frame.outcome = Outcome::other_format;
     frame.formats = pair.formats();

@@ -56,6 +56,8 @@ struct FrameResult {
   image::Difference difference{};
   /// Set for the same frames, if the metric is the similarity.
   std::optional<double> similarity{};
+  /// As PicturePair::notes().
+  std::vector<std::string> notes{};
   /// The formats of the images, if these differ.
   std::string formats{};
   /// Why a frame is unreadable.

@@ -1,12 +1,15 @@
 #include "comparison/picture_pair.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
 #include <cstdint>
 
+#include "image/alpha.h"
 #include "image/png.h"
+#include "image/png_chunks.h"
 #include "image/similarity.h"
 #include "system/error.h"
 
@@ -38,6 +41,11 @@ void require_moderate(const PngFile& file) {
       "compare pictures of at most 8192x8192 pixels");
 }
 
+constexpr const char* expected_is_opaque =
+    "the expected picture has an alpha channel, opaque everywhere, and the actual one has none";
+constexpr const char* actual_is_opaque =
+    "the actual picture has an alpha channel, opaque everywhere, and the expected one has none";
+
 }  // namespace
 
 void require_within(std::span<const image::Area> areas, int width, int height,
@@ -56,14 +64,45 @@ void require_within(std::span<const image::Area> areas, int width, int height,
 
 PicturePair::PicturePair(const PngFile& expected, const PngFile& actual) : name_(actual.name) {
   for (const PngFile* file : {&expected, &actual}) require_moderate(*file);
-  if (image::png_header(expected.bytes).bit_depth == 16 ||
-      image::png_header(actual.bytes).bit_depth == 16) {
+  const int bits = image::png_header(expected.bytes).bit_depth;
+  const int actual_bits = image::png_header(actual.bytes).bit_depth;
+  if (bits == 16 || actual_bits == 16) {
     images_ = Pair<image::DeepImage>{image::decode_deep_png(expected.bytes, expected.name),
                                      image::decode_deep_png(actual.bytes, actual.name)};
   } else {
     images_ = Pair<image::Image>{image::decode_png(expected.bytes, expected.name),
                                  image::decode_png(actual.bytes, actual.name)};
   }
+  if ((bits == 16) != (actual_bits == 16)) {
+    notes_.push_back(fmt::format("the expected picture has {} bits per channel, the actual one {}",
+                                 bits, actual_bits));
+  }
+  unify_alpha();
+  if (const auto chunks = image::different_color_chunks(expected.bytes, actual.bytes);
+      !chunks.empty()) {
+    notes_.push_back(fmt::format("the descriptions of colours differ ({}); they are not applied",
+                                 fmt::join(chunks, ", ")));
+  }
+}
+
+void PicturePair::unify_alpha() {
+  std::visit(
+      [this](auto& pair) {
+        auto& [expected, actual] = pair;
+        if (expected.channels == 4 && actual.channels == 3 && image::has_opaque_alpha(expected)) {
+          image::drop_alpha(expected);
+          notes_.emplace_back(expected_is_opaque);
+        } else if (expected.channels == 3 && actual.channels == 4 &&
+                   image::has_opaque_alpha(actual)) {
+          image::drop_alpha(actual);
+          notes_.emplace_back(actual_is_opaque);
+        }
+        if (same_format() && expected.channels == 4 &&
+            image::copy_hidden_colors(expected, actual)) {
+          notes_.emplace_back("the colours of invisible pixels differ");
+        }
+      },
+      images_);
 }
 
 bool PicturePair::same_format() const {

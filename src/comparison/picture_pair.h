@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "image/area.h"
 #include "image/compare.h"
@@ -25,7 +26,9 @@ struct PngFile {
 void require_within(std::span<const image::Area> areas, int width, int height,
                     const std::string& name);
 
-/// Two images to compare: with 16 bits per channel if either file has them, otherwise with 8.
+/// Two images to compare: with 16 bits per channel if either file has them, otherwise with 8. An
+/// alpha channel that is opaque everywhere is dropped if only one file has alpha, and the colours
+/// of pixels that are invisible in both become equal.
 class PicturePair {
  public:
   /// Throws FileError as image::decode_png() does.
@@ -34,6 +37,11 @@ class PicturePair {
   /// Whether they have the same size and number of channels. All functions below except formats()
   /// require this.
   bool same_format() const;
+
+  /// Returns a sentence for each way in which the files differ that does not make the images
+  /// different: the number of channels or bits, invisible colours, and chunks that describe
+  /// colours.
+  const std::vector<std::string>& notes() const { return notes_; }
 
   /// "640x360 with 3 channels, and 640x360 with 4"
   std::string formats() const;
@@ -55,7 +63,10 @@ class PicturePair {
   template <typename Kind>
   using Pair = std::pair<Kind, Kind>;
 
+  void unify_alpha();
+
   std::variant<Pair<image::Image>, Pair<image::DeepImage>> images_;
+  std::vector<std::string> notes_;
   std::string name_;  ///< The name of the actual file.
 };
 

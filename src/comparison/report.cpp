@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/enumeration.h"
@@ -46,10 +47,12 @@ std::string summary_line(const Comparison& comparison) {
                                comparison.count(Outcome::unreadable);
   const std::size_t differ =
       comparison.count(Outcome::different) + comparison.count(Outcome::other_format);
-  std::string line =
-      fmt::format("{}: {} of {} frames differ, {} are identical files", verdict(comparison), differ,
-                  compared, comparison.count(Outcome::identical));
-  std::string_view before = "; not compared: ";
+  const bool is_any_compared = compared > 0;
+  std::string line = fmt::format("{}: ", verdict(comparison));
+  line += is_any_compared ? fmt::format("{} of {} frames differ, {} are identical files", differ,
+                                        compared, comparison.count(Outcome::identical))
+                          : "no frame was compared";
+  std::string_view before = is_any_compared ? "; not compared: " : ": ";
   for (const Outcome outcome : {Outcome::missing, Outcome::extra, Outcome::unreadable}) {
     const std::size_t count = comparison.count(outcome);
     if (count == 0) continue;
@@ -57,6 +60,19 @@ std::string summary_line(const Comparison& comparison) {
     before = ", ";
   }
   return line + "\n";
+}
+
+/// Writes each note once, with the number of frames that have it.
+void write_notes(const Comparison& comparison, const Write& write) {
+  std::map<std::string, std::size_t> counts;
+  for (const FrameResult& frame : comparison.frames) {
+    for (const std::string& note : frame.notes) ++counts[note];
+  }
+  for (const auto& [note, count] : counts) {
+    const std::string where =
+        comparison.inputs.folders ? fmt::format("{} frame{}: ", count, count == 1 ? "" : "s") : "";
+    write(fmt::format("note: {}{}\n", where, note));
+  }
 }
 
 /// Serialises JSON, and replaces bytes of file names that are not UTF-8.
@@ -76,6 +92,7 @@ Json frame_json(const FrameResult& frame) {
   }
   if (frame.outcome == Outcome::other_format) json["message"] = frame.formats;
   if (frame.failure) json["message"] = frame.failure->what();
+  if (!frame.notes.empty()) json["notes"] = frame.notes;
   return json;
 }
 
@@ -118,7 +135,8 @@ std::string difference_text(const FrameResult& frame, const Criteria& criteria) 
 
 void write_text(const Comparison& comparison, const Write& write) {
   if (!comparison.inputs.folders) {
-    return write(finding(comparison.frames.front(), comparison.criteria) + "\n");
+    write(finding(comparison.frames.front(), comparison.criteria) + "\n");
+    return write_notes(comparison, write);
   }
   for (const FrameResult& frame : comparison.frames) {
     if (frame.passed()) continue;
@@ -130,6 +148,7 @@ void write_text(const Comparison& comparison, const Write& write) {
               fmt::format("{}: {}{}", frame.name, finding(frame, comparison.criteria), where)) +
           "\n");
   }
+  write_notes(comparison, write);
   write(summary_line(comparison));
 }
 

@@ -15,8 +15,8 @@ using Write = std::function<void(std::string_view)>;
 /// 0".
 std::string difference_text(const FrameResult& frame, const Criteria& criteria);
 
-/// Writes one line for two files. For folders, writes a line for each frame that is not as
-/// expected, and a summary.
+/// Writes one line for two files, and a line for each note. For folders, writes a line for each
+/// frame that is not as expected, a line for each note, and a summary.
 void write_text(const Comparison& comparison, const Write& write);
 
 /// Writes one JSON object with all frames.

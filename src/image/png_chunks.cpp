@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace twrench::image {
 namespace {
@@ -45,6 +46,22 @@ std::vector<Chunk> chunks_of(std::span<const std::uint8_t> file) {
     at += length + around_data;
   }
   return chunks;
+}
+
+std::vector<std::string_view> different_color_chunks(std::span<const std::uint8_t> a,
+                                                     std::span<const std::uint8_t> b) {
+  const std::vector<Chunk> chunks_of_a = chunks_of(a), chunks_of_b = chunks_of(b);
+  const auto data = [](const std::vector<Chunk>& chunks, std::string_view type) {
+    const auto found = std::ranges::find(chunks, type, &Chunk::type);
+    return found == chunks.end() ? std::optional<std::span<const std::uint8_t>>() : found->data;
+  };
+  std::vector<std::string_view> types;
+  for (const std::string_view type : {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"}) {
+    const auto of_a = data(chunks_of_a, type), of_b = data(chunks_of_b, type);
+    const bool is_equal = of_a && of_b ? std::ranges::equal(*of_a, *of_b) : !of_a && !of_b;
+    if (!is_equal) types.push_back(type);
+  }
+  return types;
 }
 
 }  // namespace twrench::image

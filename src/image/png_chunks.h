@@ -24,6 +24,11 @@ struct Chunk {
 /// Returns the chunks of a file, whose state must be `whole`.
 std::vector<Chunk> chunks_of(std::span<const std::uint8_t> file);
 
+/// Returns the types of the chunks that describe colours (gAMA, iCCP, ...) and differ between two
+/// files; a file without a chunk differs from one with it. The state of both must be `whole`.
+std::vector<std::string_view> different_color_chunks(std::span<const std::uint8_t> a,
+                                                     std::span<const std::uint8_t> b);
+
 /// Returns the number in four bytes, the most significant first (PNG specification, 7.1).
 std::uint32_t png_number(std::span<const std::uint8_t> bytes, std::size_t at);
 

@@ -9,6 +9,7 @@
 #include <new>
 #include <utility>
 
+#include "image/alpha.h"
 #include "image/plain_png.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
@@ -163,16 +164,6 @@ class Decoder {
   std::unique_ptr<spng_ctx, Free> context_{spng_ctx_new(SPNG_CTX_IGNORE_ADLER32)};
   spng_ihdr header_{};
 };
-
-/// Converts RGBA to RGB.
-void drop_alpha(DeepImage& image) {
-  const std::size_t count = image.pixels.size() / 4;
-  for (std::size_t pixel = 0; pixel < count; ++pixel) {
-    for (std::size_t c = 0; c < 3; ++c) image.pixels[3 * pixel + c] = image.pixels[4 * pixel + c];
-  }
-  image.pixels.resize(3 * count);
-  image.channels = 3;
-}
 
 Image decode_8_bits(Decoder& decoder) {
   const bool has_alpha = decoder.has_alpha();
