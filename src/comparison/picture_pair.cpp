@@ -63,7 +63,10 @@ void require_within(std::span<const image::Area> areas, int width, int height,
 }
 
 PicturePair::PicturePair(const PngFile& expected, const PngFile& actual) : name_(actual.name) {
-  for (const PngFile* file : {&expected, &actual}) require_moderate(*file);
+  for (const PngFile* file : {&expected, &actual}) {
+    image::require_png(file->bytes, file->name);
+    require_moderate(*file);
+  }
   const int bits = image::png_header(expected.bytes).bit_depth;
   const int actual_bits = image::png_header(actual.bytes).bit_depth;
   if (bits == 16 || actual_bits == 16) {

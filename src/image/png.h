@@ -45,6 +45,10 @@ struct PngHeader {
 /// Returns the header of a PNG file without checking it; it is meaningless for other bytes.
 PngHeader png_header(std::span<const std::uint8_t> bytes);
 
+/// Throws FileError unless the bytes begin like a PNG file. The message names what they are
+/// instead.
+void require_png(std::span<const std::uint8_t> bytes, const std::string& name);
+
 /// Throws FileError as decode_png() does unless the bytes are a PNG file whose chunks are complete
 /// and have correct checksums. Takes a hundredth of the time of decoding.
 void require_whole_png(std::span<const std::uint8_t> bytes, const std::string& name);

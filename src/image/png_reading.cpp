@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "image/alpha.h"
@@ -15,6 +16,7 @@
 #include "image/png_chunks.h"
 #include "system/error.h"
 #include "system/file.h"
+#include "system/file_kind.h"
 
 namespace twrench::image {
 namespace {
@@ -27,13 +29,11 @@ constexpr std::size_t max_metadata_mebibytes = 64;
 
 std::string explanation(int code) {
   switch (code) {
-    case SPNG_EINVAL:  // no bytes at all
-    case SPNG_ESIGNATURE:
     case SPNG_EIHDR_SIZE:
     case SPNG_ENOIHDR:
-      return "it is not a PNG image";
+      return "it has no header of a PNG image";
     case SPNG_IO_EOF:
-      return "it is not a PNG image, or it is truncated";
+      return "it is truncated";
     case SPNG_EUSER_WIDTH:
     case SPNG_EUSER_HEIGHT:
       return fmt::format("it is too large: a side has more than {} pixels", max_image_side);
@@ -56,7 +56,6 @@ int error_of(ChunkState state) {
     case ChunkState::whole:
       return SPNG_OK;
     case ChunkState::no_png:
-      return SPNG_ESIGNATURE;
     case ChunkState::cut_short:
       return SPNG_IO_EOF;
     case ChunkState::wrong_checksum:
@@ -103,6 +102,7 @@ class Decoder {
  public:
   Decoder(ByteSpan file, const std::string& name) : file_(file), what_("cannot read " + name) {
     if (!context_) throw std::bad_alloc();
+    require_png(file, name);
     constexpr std::size_t max_metadata = max_metadata_mebibytes << 20U;
     check(spng_set_image_limits(context_.get(), max_image_side, max_image_side));
     check(spng_set_chunk_limits(context_.get(), max_metadata, max_metadata));
@@ -210,7 +210,20 @@ PngHeader png_header(std::span<const std::uint8_t> bytes) {
   return {png_number(bytes, width), png_number(bytes, height), bytes[bit_depth]};
 }
 
+void require_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const bool is_cut = !text.empty() && signature.starts_with(text);
+  if (is_cut || text.starts_with(signature)) return;
+  const auto kind = system::recognized_file_kind(text);
+  throw system::FileError(
+      "cannot read " + name,
+      kind ? fmt::format("it is {}, not a PNG image", *kind) : "it is not a PNG image",
+      "name a PNG image, or convert this file to one");
+}
+
 void require_whole_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  require_png(bytes, name);
   const int error = error_of(check_chunks(bytes));
   if (error != SPNG_OK) throw system::FileError("cannot read " + name, explanation(error));
 }

@@ -61,6 +61,11 @@ constexpr std::array signatures{
     Signature{"compressed by xz", 0, "\xFD\x37zXZ\0"sv},
     Signature{"compressed by zstd", 0, "\x28\xB5\x2F\xFD"sv},
     Signature{"an executable program", 0, "\x7F\x45LF"sv},
+    Signature{"a list of other files", 0, "ffconcat"sv},
+    Signature{"a list of other files", 0, "#EXTM3U"sv},
+    Signature{"a list of other files", 0, "[playlist]"sv},
+    Signature{"a description of a session", 0, "v=0\n"sv},
+    Signature{"a description of a session", 0, "v=0\r\n"sv},
     Signature{"a pointer to a file in Git LFS, not the file itself", 0,
               "version https://git-lfs.github.com/"sv},
 };

@@ -17,6 +17,7 @@
 
 #include "base/letters.h"
 #include "system/file.h"
+#include "system/file_kind.h"
 #include "system/output_pipe.h"
 #include "system/program.h"
 #include "video/error.h"
@@ -46,7 +47,7 @@ struct Track {
   double length = 0;  ///< In s; 0 if it is not stated.
   /// Whether the length is that of the samples, not an estimate or that of another track.
   bool is_exact = false;
-  double samples_per_second = 0;  ///< Of all channels.
+  double samples_per_second = 0;  ///< The sum over all channels.
 };
 
 Track track_of(const nlohmann::json& properties) {
@@ -61,6 +62,20 @@ Track track_of(const nlohmann::json& properties) {
       .samples_per_second = ffprobe_number(stream, "sample_rate") * stream.value("channels", 0)};
 }
 
+/// Returns why ffprobe did not find sound in the file.
+std::string reason_of(const std::filesystem::path& file) {
+  std::array<char, 4096> head{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), head.size());
+  const auto size = static_cast<std::size_t>(stream.gcount());
+  const auto kind = system::recognized_file_kind({head.data(), size});
+  if (!kind) return "it is not a sound file";
+  const bool is_sound =
+      kind->ends_with(" sound") || kind->ends_with(" film") || *kind == "an Ogg file";
+  return is_sound ? fmt::format("it begins like {}, but is damaged", *kind)
+                  : fmt::format("it is {}, not a sound file", *kind);
+}
+
 /// Throws FileError unless the file has sound.
 Track find_track(const std::filesystem::path& file) {
   require_readable(file);
@@ -70,7 +85,7 @@ Track find_track(const std::filesystem::path& file) {
                                      "stream=duration,sample_rate,channels:format=duration,"
                                      "format_name")}));
   const std::string what = "cannot use " + file.string();
-  if (!properties) throw system::FileError(what, "it is not a sound file", conversion_remedy);
+  if (!properties) throw system::FileError(what, reason_of(file), conversion_remedy);
   if (properties->value("streams", nlohmann::json::array()).empty()) {
     throw system::FileError(what, "it has no sound", "name a file with a sound track");
   }
@@ -87,7 +102,7 @@ class SampleCheck {
     }
   }
 
-  /// Returns what is wrong; empty if nothing is.
+  /// Returns the fault of the samples; empty if there is none.
   std::string fault() const {
     if (count_ == 0) return "it has no samples";
     if (!are_numbers_) return "it has samples that are not numbers";
@@ -107,12 +122,12 @@ class SampleCheck {
   }
 
   std::array<std::uint8_t, sizeof(float)> sample_{};
-  std::uint64_t count_ = 0;  ///< Of bytes.
+  std::uint64_t count_ = 0;  ///< The number of bytes.
   bool are_numbers_ = true;
   float largest_ = 0;
 };
 
-/// Returns what is wrong if less than `length` s of the track were decoded; empty otherwise.
+/// Returns a message if less than `length` s of the track were decoded; empty otherwise.
 /// Decoders skip damaged parts of some formats silently.
 std::string gap_in(const Track& track, std::uint64_t samples, double length) {
   if (!track.is_exact) return {};
@@ -135,13 +150,16 @@ bool is_streamed_wav(const std::filesystem::path& file) {
   return text.starts_with("RIFF") && text.ends_with("WAVE") && (size == 0 || size >= unknown);
 }
 
-/// Returns the first line that ffmpeg printed, without the name and address of its part.
-std::string first_message(std::string text) {
+/// Returns the first line that ffmpeg printed, without the name and address of its part and the
+/// name of the file.
+std::string first_message(std::string text, const std::filesystem::path& file) {
   text = text.substr(0, text.find('\n'));
+  const std::string name = "file:" + file.string() + ": ";
+  if (text.starts_with(name)) text.erase(0, name.size());
   while (text.starts_with('[') && text.find("] ") != std::string::npos) {
     text.erase(0, text.find("] ") + 2);
   }
-  return text.empty() ? "ffmpeg printed no reason" : text;
+  return text.empty() ? "its data are damaged" : text;
 }
 
 /// Decodes the sound to standard output, and converts it as a film does without keeping the result.
@@ -187,12 +205,12 @@ void require_sound(const std::filesystem::path& file, double length, system::Pat
   output.finish();
   const std::string what = "cannot use " + file.string();
   if (ffmpeg.timed_out()) throw EncoderError(what, system::failure_of("ffmpeg", ffmpeg, status));
-  std::string fault = status == 0
-                          ? samples.fault()
-                          : "its sound cannot be decoded: " + first_message(ffmpeg.error_output());
+  std::string fault =
+      status == 0 ? samples.fault()
+                  : "its sound cannot be decoded: " + first_message(ffmpeg.error_output(), file);
   if (fault.empty()) fault = gap_in(track, samples.count(), length);
   if (!fault.empty()) {
-    throw system::FileError(what, fault, "repair it, or convert it anew from its source");
+    throw system::FileError(what, fault, "repair it, or export it from its source");
   }
 }
 

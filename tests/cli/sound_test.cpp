@@ -285,6 +285,10 @@ TEST(Audio, ThatCannotBeUsedIsReportedBeforeTheFirstFrame) {
               "'");
   std::ofstream(folder / "empty.wav").flush();
   std::ofstream(folder / "text.wav") << "no sound\n";
+  std::ofstream(folder / "list.wav") << "ffconcat version 1.0\nfile 'tone.wav'\n";
+  run_command(
+      "ffmpeg -v error -f lavfi -i 'aevalsrc=if(gt(t\\,0.5)\\,0/0\\,0):d=1' -c:a pcm_f32le '" +
+      (folder / "nan.wav").string() + "'");
   std::filesystem::create_directory(folder / "folder");
   const auto expect = [&](const std::string& options, int code, const std::string& message) {
     const Outcome run = run_twrench(folder, sound_film + "--duration 4 " + options);
@@ -296,8 +300,14 @@ TEST(Audio, ThatCannotBeUsedIsReportedBeforeTheFirstFrame) {
   };
   expect("--audio none.wav -o film.mp4", 5, "cannot read none.wav: No such file");
   expect("--audio folder -o film.mp4", 5, "cannot read folder: it is not a regular file");
-  expect("--audio empty.wav -o film.mp4", 5, "cannot use empty.wav: it is not a sound file");
+  expect("--audio empty.wav -o film.mp4", 5, "cannot use empty.wav: it is empty, not a sound file");
   expect("--audio text.wav -o film.mp4", 5, "cannot use text.wav: it is not a sound file");
+  expect("--audio list.wav -o film.mp4", 5,
+         "cannot use list.wav: it is a list of other files, not a sound file");
+  for (const char* more : {"", " --sound motion"}) {
+    expect(std::string("--audio nan.wav -o film.mp4") + more, 5,
+           "cannot use nan.wav: it has samples that are not numbers");
+  }
   expect("--audio mute.mp4 -o film.mp4", 5, "cannot use mute.mp4: it has no sound");
   expect("--audio tone.wav -o film.gif", 2, "audio: GIF has no sound");
   expect("--sound motion -o film.webp", 2, "sound: WebP has no sound");
@@ -369,8 +379,11 @@ TEST(Narration, StartsWithItsShot) {
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("shot[1].narration: 3.wav lasts 4.10 s, but the film ends 4.00 "
                                    "s after its start"));
-  write_story(folder, "none.wav");
-  EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o wrong.mp4").code, 5);
+  std::ofstream(folder / "story/list.wav") << "ffconcat version 1.0\nfile '1.wav'\n";
+  for (const char* unusable : {"none.wav", "list.wav"}) {
+    write_story(folder, unusable);
+    EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o wrong.mp4").code, 5);
+  }
   EXPECT_FALSE(std::filesystem::exists(folder / "wrong.mp4"));
   // An animated image has none.
   EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o story.gif").code, 0);

@@ -270,7 +270,13 @@ TEST(PngReading, DataMayComeInPieces) {
 }
 
 TEST(PngReading, RefusesWhatIsNoPng) {
-  EXPECT_THAT(failure({}), HasSubstr("cannot read a.png: it is not a PNG image"));
+  EXPECT_EQ(failure({}), "cannot read a.png: it is empty, not a PNG image");
+  const std::string jpeg("\xFF\xD8\xFF\xE0\0\x10JFIF", 10);
+  EXPECT_EQ(failure({jpeg.begin(), jpeg.end()}),
+            "cannot read a.png: it is a JPEG picture, not a PNG image");
+  const std::string gif = "GIF89a and more";
+  EXPECT_EQ(failure({gif.begin(), gif.end()}),
+            "cannot read a.png: it is a GIF picture, not a PNG image");
   EXPECT_THAT(failure({'t', 'e', 'x', 't'}), HasSubstr("it is not a PNG image"));
   EXPECT_THAT(failure(Bytes(1000, 'x')), HasSubstr("it is not a PNG image"));
 }

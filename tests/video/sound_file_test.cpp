@@ -145,9 +145,19 @@ TEST_F(SoundFile, ThatNamesOtherFilesIsRefused) {
        "<BaseURL>tone.wav</BaseURL></MPD>"},
       {"list.pls", "[playlist]\nFile1=tone.wav\n"}};
   for (const auto& [name, text] : lists) {
-    expect_refused(write(name, text), "it is not a sound file");
-    EXPECT_THROW(require_sound(folder_ / name, 10, {}), system::FileError) << name;
+    expect_refused(write(name, text), "it is ");
+    EXPECT_THROW(sound_length(folder_ / name), system::FileError) << name;
   }
+}
+
+TEST_F(SoundFile, ThatIsAnotherFileIsNamed) {
+  expect_refused(write("a.wav", ""), "it is empty, not a sound file");
+  expect_refused(write("a.wav", "<!DOCTYPE html><html>"), "it is an HTML page, not a sound file");
+  expect_refused(write("a.wav", "PK\3\4 and more"), "it is a ZIP archive, not a sound file");
+  expect_refused(write("a.wav", "ffconcat version 1.0\n"),
+                 "it is a list of other files, not a sound file");
+  expect_refused(write("a.wav", "no sound\n"), "it is not a sound file");
+  expect_refused(write("a.flac", "fLaC and more"), "it begins like a FLAC sound, but is damaged");
 }
 
 TEST_F(SoundFile, WithDamagedSamplesIsRefused) {
@@ -165,7 +175,7 @@ TEST_F(SoundFile, WithDamagedSamplesIsRefused) {
 
 TEST_F(SoundFile, ThatIsCutOffIsRefused) {
   expect_refused(write("cut.wav", Wav{.samples = tone(8001), .stated_size = 30'000}.bytes()),
-                 "its sound cannot be decoded: ");
+                 "its sound cannot be decoded: corrupt input packet");
   expect_refused(write("none.wav", Wav{}.bytes()), "it has no samples");
 }
 
