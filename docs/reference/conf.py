@@ -47,6 +47,7 @@ autodoc_type_aliases = {
         "RateAxes",
         "RateUnit",
         "R",
+        "Rate",
         "Recording",
         "Recordings",
         "Rotation",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+from fractions import Fraction
 from typing import Any, TypeVar
 
 import numpy as np
@@ -10,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from .errors import UsageError
+from .names import Rate
 
 Array = NDArray[np.float64]
 #: The most numbers of an array: 2.4 GB.
@@ -73,14 +76,14 @@ def inertia(name: str, value: ArrayLike) -> Array:
 SPELLINGS = "np.linspace(0, 10, n) for n times, or span=(0, 10), fps=60 for evenly spaced ones"
 
 
-def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: float | None = None) -> Array:
+def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: Rate | None = None) -> Array:
     """The times of samples: the given ones, or ``fps`` per second over a span with both ends."""
     if value is None and span is None:
         raise UsageError(f"times: must be given, or a span: {SPELLINGS}")
     if span is not None:
         if value is not None:
             raise UsageError("span: cannot be combined with times")
-        return _span_times(span, 60.0 if fps is None else positive("fps", fps))
+        return _span_times(span, 60.0 if fps is None else rate("fps", fps))
     if fps is not None:
         raise UsageError("fps: is for span, and times are given")
     if isinstance(value, tuple) and len(value) == 2:
@@ -145,6 +148,16 @@ def positive(name: str, value: Any) -> float:
     if result <= 0:
         raise UsageError(f"{name}: must be greater than 0, not {brief(value)}")
     return result
+
+
+def rate(name: str, value: Any) -> float:
+    """A number, or a fraction of whole numbers, also as text."""
+    if isinstance(value, str):
+        found = re.fullmatch(r"([0-9]{1,7})/([0-9]{1,7})", value)
+        if found is None or int(found[2]) == 0:
+            raise UsageError(f"{name}: must be a number or a fraction, 30000/1001, not {brief(value)}")
+        value = int(found[1]) / int(found[2])
+    return positive(name, float(value) if isinstance(value, Fraction) else value)
 
 
 def within(name: str, value: Any, least: float, greatest: float) -> float:

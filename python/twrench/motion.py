@@ -15,7 +15,7 @@ from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
 from .errors import UsageError
-from .names import Attitude, MethodName, Numbers, Rows, StrPath
+from .names import Attitude, MethodName, Numbers, Rate, Rows, StrPath
 
 if TYPE_CHECKING:
     import pandas
@@ -265,7 +265,7 @@ def simulate(
     method: MethodName | None = None,
     *,
     span: Numbers | None = None,
-    fps: float | None = None,
+    fps: Rate | None = None,
     attitude: Attitude | None = None,
     wheel: Numbers | None = None,
     energy_loss_time: float | None = None,
@@ -281,7 +281,7 @@ def simulate(
     :param method: name of one of :func:`methods`; None for ``exact``, or ``taylor`` for a body with
         a wheel or energy loss.
     :param span: in place of ``times``, (start, end) in s, both of which are sampled.
-    :param fps: samples per second of ``span``; 60 unless given.
+    :param fps: samples per second of ``span``, also as a fraction; 60 unless given.
     :param attitude: X(0), space_from_body: a quaternion (w, x, y, z), a matrix (3, 3) or a SciPy
         ``Rotation``; None for the identity.
     :param wheel: angular momentum of a wheel relative to the body, in body axes in g cm^2/s, (3,).
@@ -380,13 +380,13 @@ class ExactMotion:
         times: Numbers | None = None,
         *,
         span: Numbers | None = None,
-        fps: float | None = None,
+        fps: Rate | None = None,
     ) -> Motion:
         """The motion at given times, in any order and of either sign.
 
         :param times: times in s, (n,).
         :param span: instead of ``times``, (start, end) in s, both of which are sampled.
-        :param fps: samples per second of ``span``; 60 unless given.
+        :param fps: samples per second of ``span``, also as a fraction; 60 unless given.
         :raises UsageError: for times of another shape, or times that are not finite.
         """
         t = _arguments.times(times, span, fps)
@@ -492,7 +492,7 @@ def exact_many(
     times: Numbers | None = None,
     *,
     span: Numbers | None = None,
-    fps: float | None = None,
+    fps: Rate | None = None,
 ) -> ManyMotions:
     """The exact motions of many bodies at once, on all processors.
 
@@ -501,7 +501,7 @@ def exact_many(
     :param omega: angular velocities at t = 0 in body axes in rad/s, (n, 3).
     :param times: times in s, (m,), in any order and of either sign.
     :param span: in place of ``times``, (start, end) in s, both of which are sampled.
-    :param fps: samples per second of ``span``; 60 unless given.
+    :param fps: samples per second of ``span``, also as a fraction; 60 unless given.
     :raises UsageError: for a wrong argument; the message names the argument and its row.
 
     Each sample is bit-identical to that of ``exact(body, omega).at(times)``.

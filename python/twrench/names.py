@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from os import PathLike
 from typing import Any, Literal, Protocol, Sequence, Union
 
@@ -53,6 +54,8 @@ FeatureName = Literal[
     "tilt",
     "moments",
 ]
+#: A rate: a number, or a fraction such as ``"30000/1001"``.
+Rate = Union[float, str, Fraction]
 ShapeName = Literal["box", "ellipsoid", "cross"]
 UnitName = Literal["mm", "cm", "m", "inch", "km"]
 ContainerName = Literal["mp4", "mov", "mkv", "webm", "gif", "webp"]

@@ -6,6 +6,7 @@ import json
 import math
 import os
 import warnings
+from fractions import Fraction
 from pathlib import Path
 from typing import (
     Any,
@@ -42,6 +43,7 @@ from .names import (
     MaterialName,
     MethodName,
     Numbers,
+    Rate,
     Rows,
     SoundName,
     StrPath,
@@ -156,6 +158,14 @@ class _Audio(_Value[Optional[str]]):
         super().__set__(scene, "" if value is None else value)
 
 
+class _Rate(_Value[float]):
+    """A number per second. It can be set as a fraction, ``"30000/1001"`` or ``Fraction``."""
+
+    def __set__(self, scene: Scene, value: Any) -> None:
+        is_fraction = isinstance(value, Fraction)
+        super().__set__(scene, f"{value.numerator}/{value.denominator}" if is_fraction else value)
+
+
 class _EnergyLossTime(_Value[Optional[float]]):
     """The time constant of the energy loss; None or infinity for none."""
 
@@ -215,7 +225,7 @@ class Scene:
     tolerance = _Value[float]()
     duration = _Value[float]()
     size = _Value[tuple[int, int]]()
-    fps = _Value[float]()
+    fps = _Rate()
     speed = _Value[float]()
     audio = _Audio()
     sound = _Value[SoundName]()
@@ -267,7 +277,7 @@ class Scene:
         tolerance: float = UNSET,
         duration: float = UNSET,
         size: tuple[int, int] = UNSET,
-        fps: float = UNSET,
+        fps: Rate = UNSET,
         speed: float = UNSET,
         audio: StrPath | None = UNSET,
         sound: SoundName = UNSET,
@@ -404,7 +414,7 @@ class Scene:
         times: Numbers | None = None,
         *,
         span: Numbers | None = None,
-        fps: float | None = None,
+        fps: Rate | None = None,
     ) -> Motion:
         """The motion by the scene's method, at the times of the frames unless others are given.
 
@@ -412,7 +422,7 @@ class Scene:
 
         :param times: times in s, (n,), in any order and of either sign.
         :param span: in place of ``times``, (start, end) in s, both of which are sampled.
-        :param fps: samples per second of ``span``; 60 unless given.
+        :param fps: samples per second of ``span``, also as a fraction; 60 unless given.
         :raises UsageError: for a wrong argument.
         :raises MotionError: if the method fails.
         """

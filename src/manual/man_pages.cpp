@@ -138,6 +138,7 @@ std::string value_form(scene::ValueForm::Kind kind, const std::string& placehold
   switch (kind) {
     case number:
     case integer:
+    case rate:
       return italic(placeholder);
     case vector:
       return "[" + italic("x") + ", " + italic("y") + ", " + italic("z") + "]";

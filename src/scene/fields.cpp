@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/enumeration.h"
+#include "scene/fraction.h"
 #include "scene/limits.h"
 #include "scene/materials.h"
 
@@ -71,6 +72,8 @@ auto from_json(const ordered_json& value) {
     return to_quaternion(value);
   } else if constexpr (kind == ValueForm::Kind::size) {
     return value.get<std::array<double, 2>>();
+  } else if constexpr (kind == ValueForm::Kind::rate) {
+    return value;
   } else if constexpr (kind == ValueForm::Kind::text) {
     return value.get<std::string>();
   } else if constexpr (kind == ValueForm::Kind::texts) {
@@ -179,6 +182,15 @@ Field material(Field field) {
 auto within(const limits::Limit& limit) {
   return Conversion{{.limit = limit}, [=](const auto& value, const std::string& what) {
                       return limits::check(limit, what, value);
+                    }};
+}
+
+auto rate_within(const limits::Limit& limit) {
+  return Conversion{{.limit = limit}, [=](const ordered_json& value, const std::string& what) {
+                      return limits::check(limit, what,
+                                           value.is_string()
+                                               ? parse_fraction(value.get<std::string>(), what)
+                                               : value.get<double>());
                     }};
 }
 
@@ -351,10 +363,11 @@ const std::vector<Field>& fields() {
 
       complete<size>({"film", "size", "WxH", "frame size in pixels"}, whole_pixels(),
                      [](auto& s) { return std::tie(s.film.width, s.film.height); }),
-      natural(complete<number>(
-                  {"film", "fps", "N", "frames (and output samples) per second",
+      natural(complete<rate>(
+                  {"film", "fps", "N",
+                   "frames (and output samples) per second; may be a fraction, 30000/1001",
                    "60; samples: 60 a radian"},
-                  within(limits::fps), [](auto& s) -> auto& { return s.film.fps; }),
+                  rate_within(limits::fps), [](auto& s) -> auto& { return s.film.fps; }),
               &Origins::fps),
       natural(complete<number>(
                   {"film", "speed", "F",

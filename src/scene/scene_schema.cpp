@@ -48,6 +48,10 @@ ordered_json value_schema(const ValueForm& form) {
       return with_limit({{"type", "number"}}, form.limit);
     case ValueForm::Kind::integer:
       return with_limit({{"type", "integer"}}, form.limit);
+    case ValueForm::Kind::rate:
+      return {{"anyOf",
+               {with_limit({{"type", "number"}}, form.limit),
+                {{"type", "string"}, {"pattern", "^[0-9]+/[0-9]+$"}}}}};
     case ValueForm::Kind::vector:
       return numbers("number", 3);
     case ValueForm::Kind::quaternion:

@@ -34,6 +34,8 @@ void require_form(ValueForm::Kind kind, const ordered_json& value, const std::st
     case ValueForm::Kind::number:
     case ValueForm::Kind::integer:
       return require(value.is_number(), "a number");
+    case ValueForm::Kind::rate:
+      return require(value.is_number() || value.is_string(), "a number or a fraction");
     case ValueForm::Kind::vector:
       return require(is_array_of(value, 3, &ordered_json::is_number), "an array of 3 numbers");
     case ValueForm::Kind::quaternion:

@@ -115,6 +115,9 @@ std::optional<ordered_json> TomlTable::value(const std::string& key, ValueForm::
     case ValueForm::Kind::number:
     case ValueForm::Kind::integer:
       return number(*node, place(key));
+    case ValueForm::Kind::rate:
+      if (node->is_string()) return node->as_string()->get();
+      return number(*node, place(key));
     case ValueForm::Kind::vector:
       return numbers(*node, 3, place(key));
     case ValueForm::Kind::quaternion:

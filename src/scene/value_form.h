@@ -14,6 +14,7 @@ struct ValueForm {
   enum class Kind {
     number,      ///< A number.
     integer,     ///< A number without a fraction.
+    rate,        ///< A number, or a string with the fraction of two whole numbers.
     vector,      ///< An array of three numbers.
     quaternion,  ///< An array of four numbers, the scalar first.
     size,        ///< An array of two integers: width and height.

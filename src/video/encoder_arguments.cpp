@@ -17,8 +17,8 @@
 namespace twrench::video {
 namespace {
 
-/// Returns fps as a fraction for ffmpeg, the simplest one within 1e-9 (by continued fractions): 60
-/// is 60/1, 59.94 is 2997/50.
+/// Returns fps as a fraction for ffmpeg: the nearest one of numbers up to a million, by continued
+/// fractions. 60 is 60/1, 59.94 is 2997/50.
 std::string rational(double fps) {
   constexpr double largest = 1e6;
   if (!(fps >= 1e-3 && fps <= 1e3)) {
@@ -26,16 +26,14 @@ std::string rational(double fps) {
                      "a video must have 0.001 to 1000 frames per second", {fps, 1e-3, 1e3});
   }
   double p = 1, q = 0, p_before = 0, q_before = 1, rest = fps;
-  while (true) {
+  while (q == 0 || p / q != fps) {
     const double whole = std::floor(rest);
     p_before = std::exchange(p, whole * p + p_before);
     q_before = std::exchange(q, whole * q + q_before);
-    const bool close = std::abs(p / q - fps) <= 1e-9 * fps;
-    if (close || std::max(p, q) > largest) {
-      return fmt::format("{:.0f}/{:.0f}", p, q);
-    }
+    if (std::max(p, q) > largest) return fmt::format("{:.0f}/{:.0f}", p_before, q_before);
     rest = 1.0 / (rest - whole);
   }
+  return fmt::format("{:.0f}/{:.0f}", p, q);
 }
 
 /// Converts from RGBA. ProRes takes its tags from the frames, not from the options. Without

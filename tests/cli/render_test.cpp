@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -30,6 +31,43 @@ json probe(const ScratchFolder& folder, const std::string& video) {
   run_command("ffprobe -v error -count_frames -show_streams -of json '" +
               (folder / video).string() + "' >'" + (folder / "probe.json").string() + "'");
   return json::parse(text_of(folder / "probe.json"))["streams"][0];
+}
+
+TEST(Render, AFractionalRateIsExact) {
+  const ScratchFolder folder;
+  const std::string film = "render --size 32x32 --bare --duration 1 --speed 1 --progress none ";
+  for (const std::string video : {"a.mp4", "a.mov", "a.mkv", "a.webm"}) {
+    const Outcome run =
+        run_twrench(folder, film + "--fps 30000/1001 --no-frames --sound motion -o " + video);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json stream = probe(folder, video);
+    EXPECT_EQ(stream["r_frame_rate"], "30000/1001") << video;
+    EXPECT_EQ(stream["nb_read_frames"], "30");
+  }
+  std::ofstream(folder / "scene.toml")
+      << "[body]\nmoments = [1, 2, 3]\n[film]\nfps = \"24000/1001\"\n";
+  ASSERT_EQ(run_twrench(folder, film + "scene.toml -o b.mp4").code, 0);
+  EXPECT_EQ(probe(folder, "b.mp4")["r_frame_rate"], "24000/1001");
+  const json manifest = json::parse(text_of(folder / "b/manifest.json"));
+  EXPECT_EQ(manifest["fps"], 24000.0 / 1001);
+  EXPECT_EQ(manifest["scene"]["film"]["fps"], 24000.0 / 1001);
+  EXPECT_EQ(manifest["frames"][10]["t"], 10 / (24000.0 / 1001));
+  ASSERT_EQ(run_twrench(folder, "encode b --progress none -o c.mov").code, 0);
+  EXPECT_EQ(probe(folder, "c.mov")["r_frame_rate"], "24000/1001");
+  const Outcome wrong = run_twrench(folder, film + "--fps 30/0 -o d.mp4");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--fps: '30/0' is not a fraction"));
+}
+
+TEST(Render, WithoutAnOutputNamesTheFileByItsContainer) {
+  const ScratchFolder folder;
+  const std::string film =
+      "render --size 32x32 --bare --duration 1 --speed 1 --fps 5 "
+      "--progress none --no-frames --container ";
+  for (const char* container : {"webp", "gif", "mkv"}) {
+    ASSERT_EQ(run_twrench(folder, film + container).code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / ("out/dzhanibekov." + std::string(container))));
+  }
 }
 
 TEST(Render, FilmAndFramesAndManifest) {

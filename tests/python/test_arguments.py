@@ -10,6 +10,7 @@ import time
 import typing
 import warnings
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -44,6 +45,8 @@ def test_a_span():
     assert twrench.simulate(BODY, [1, 0, 0], span=(0, 10)).t.size == 601
     assert exact.at(span=[0, 0.35], fps=10).t.tolist() == [0, 0.1, 0.2, 3 / 10, 0.35]
     assert exact.at(span=(0, 0.7), fps=10).t.size == 8  # 0.7 * 10 is less than 7
+    for rate in ("30000/1001", Fraction(30000, 1001), 30000 / 1001):
+        assert exact.at(span=(0, 1.001), fps=rate).t[1] == 1 / (30000 / 1001)
     for scale in (1e-6, 1e6):
         assert exact.at(span=(0, scale), fps=60 / scale).t.size == 61
     assert twrench.exact_many([1, 2, 3], [[1, 0, 0]], span=(0, 1), fps=2).X.shape == (1, 3, 3, 3)
@@ -59,6 +62,8 @@ def test_a_span():
         ({"span": 3}, "span: must be two times"),
         ({"span": (0, 1e9), "fps": 1e9}, "span: has more than"),
         ({"span": (0, 1), "fps": 0}, "fps: must be greater than 0"),
+        ({"span": (0, 1), "fps": "30/0"}, "fps: must be a number or a fraction"),
+        ({"span": (0, 1), "fps": "fast"}, "fps: must be a number or a fraction"),
         ({"times": [0], "attitude": [1, 0]}, "attitude: must be a quaternion"),
         ({"times": [0], "attitude": [2, 0, 0, 0]}, "attitude: has the length 2"),
         ({"times": [0], "attitude": np.full((3, 3), np.nan)}, "attitude: must be finite"),

@@ -418,6 +418,7 @@ def test_a_comparison_is_that_of_the_program(small, program, tmp_path):
     assert twrench.compare(a, a).text == program("compare", a, a)
     assert twrench.compare(a, a).junit == program("compare", a, a, "--format", "junit")
     assert "<html" in (tmp_path / "r.html").read_text()
+    assert twrench.compare(a, a).frames[0].notes == []
     assert twrench.compare(a, b, share=1)
     assert twrench.compare(a, b, metric="ssim", min_ssim=-1).frames[0].ssim is not None
     twrench.compare(a, b, update=True)

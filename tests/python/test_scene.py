@@ -10,6 +10,7 @@ import sys
 import subprocess
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -122,6 +123,8 @@ def test_a_scene_is_that_of_its_file(tmp_path):
         assert scene.name == "mine" and scene.omega == (1, 0, 2) and scene.size == (64, 48)
         assert scene.body.principal_moments.tolist() == [1, 2, 3]
     assert Scene(file, fps=30).fps == 30
+    for rate in ("24000/1001", Fraction(24000, 1001)):
+        assert Scene(file, fps=rate).fps == 24000 / 1001
     assert Scene().to_dict()["motion"]["omega"] == [1, 0.05, 0]
     assert json.dumps(Scene().to_dict())
     assert repr(Scene()) == "<twrench.Scene dzhanibekov: 960 frames of 1920x1080>"
@@ -203,7 +206,7 @@ def test_values_that_the_caller_gave_stay_with_another_body():
         ("size", (0, 0), "size"),
         ("size", (640.5, 360), "size"),
         ("size", [10**30, 10], "size"),
-        ("fps", "30", "fps: must be a number"),
+        ("fps", "30", "fps: '30' is not a fraction"),
         ("fps", 10**400, "fps"),
         ("fps", True, "fps: must be a number"),
         ("method", "rk5", "method: .*rk5"),

@@ -388,9 +388,22 @@ TEST(Encoder, TakesTheCodecFromTheEnding) {
 
 TEST(Encoder, TakesRatesThatAreNotWhole) {
   const ScratchFolder scratch;
-  const std::vector<std::pair<double, std::string>> rates{
-      {59.94, "2997/50"}, {60000.0 / 1001, "60000/1001"}, {0.5, "1/2"},      {60, "60/1"},
-      {12.5, "25/2"},     {23.976, "2997/125"},           {0.001, "1/1000"}, {1000, "1000/1"}};
+  const std::vector<std::pair<double, std::string>> rates{{59.94, "2997/50"},
+                                                          {60000.0 / 1001, "60000/1001"},
+                                                          {0.5, "1/2"},
+                                                          {60, "60/1"},
+                                                          {12.5, "25/2"},
+                                                          {23.976, "2997/125"},
+                                                          {0.001, "1/1000"},
+                                                          {1000, "1000/1"},
+                                                          {30000.0 / 1001, "30000/1001"},
+                                                          {24000.0 / 1001, "24000/1001"},
+                                                          {120000.0 / 1001, "120000/1001"},
+                                                          {23.976023976, "24000/1001"},
+                                                          {1.0 / 3, "1/3"},
+                                                          {999983.0 / 33333, "999983/33333"},
+                                                          {30.000000001, "30/1"},
+                                                          {0.0011, "11/10000"}};
   for (const auto& [fps, fraction] : rates) {
     EXPECT_THAT(encoder_arguments({64, 48, fps}), ::testing::Contains(fraction)) << fps;
   }

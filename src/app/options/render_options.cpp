@@ -159,7 +159,9 @@ film::RenderSettings RenderOptions::settings(const scene::Scene& of) const {
     settings.frames_folder = frames_dir.empty() ? default_frames_folder(of) : fs::path(frames_dir);
   if (!no_video) {
     const fs::path path =
-        video.output.empty() ? fs::path("out") / (of.name + ".mp4") : fs::path(video.output);
+        video.output.empty()
+            ? fs::path("out") / (of.name + video::output_format(container()).extension())
+            : fs::path(video.output);
     settings.video =
         film::VideoOutput{path, container(), video.chapters_in(container()), video.quality()};
   }

@@ -39,6 +39,9 @@ nlohmann::ordered_json parse_value(scene::ValueForm::Kind kind, const std::strin
     case Kind::number:
     case Kind::integer:
       return parse_number(text, option);
+    case Kind::rate:
+      if (text.find('/') != std::string::npos) return text;
+      return parse_number(text, option);
     case Kind::vector:
       return array_of(parse_vector(text, option));
     case Kind::quaternion:
@@ -273,10 +276,11 @@ void SceneOptions::require_interior(const scene::Scene& scene) const {
 
 const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
   if (!loaded_.empty()) return loaded_;
-  if (std::ranges::none_of(names_, mesh::is_mesh_name)) mesh_.require_none();
+  const bool has_mesh = std::ranges::any_of(names_, mesh::is_mesh_name);
   std::vector<Loaded> all;
   for (const std::string& name : names_) {
     Loaded loaded{load(name), {}};
+    if (!has_mesh) mesh_.require_none();  // a wrong name is the first mistake
     scene::Scene& scene = loaded.overridden = loaded.original;
     for (const auto& override_value : overrides_) {
       override_value(scene);
