@@ -74,10 +74,8 @@ std::string finding_html(const FrameResult& frame, const Criteria& criteria) {
   if (frame.failure) return text::escape_xml(frame.failure->what());
   if (frame.outcome == Outcome::missing) return "there is no actual frame";
   if (frame.outcome == Outcome::extra) return "there is no expected frame";
-  std::string html = text::escape_xml(
-      frame.outcome == Outcome::other_format ? frame.formats : difference_text(frame, criteria));
-  for (const std::string& note : frame.notes) html += "<br>Note: " + text::escape_xml(note);
-  return html;
+  if (frame.outcome == Outcome::other_format) return text::escape_xml(frame.formats);
+  return text::escape_xml(difference_text(frame, criteria));
 }
 
 std::string figure(const char* kind, const char* caption, const Bytes& png,

@@ -10,6 +10,7 @@
 
 #include "comparison/article.h"
 #include "comparison/chart.h"
+#include "comparison/report.h"
 #include "embedded/comparison_page.h"
 #include "text/xml.h"
 
@@ -118,6 +119,14 @@ std::string counts_of(const Comparison& comparison) {
   return text + "</ul>\n";
 }
 
+std::string notes_html(const Comparison& comparison) {
+  std::string html;
+  for (const std::string& note : notes_of(comparison)) {
+    html += "<p class=\"soft\">Note: " + text::escape_xml(note) + "</p>\n";
+  }
+  return html;
+}
+
 std::string beginning(const Comparison& comparison) {
   const std::string title = title_of(comparison);
   return fmt::format(
@@ -133,7 +142,7 @@ std::string beginning(const Comparison& comparison) {
       comparison.passed() ? " class=\"passed\"" : "",
       text::escape_xml(comparison.inputs.expected.string()),
       text::escape_xml(comparison.inputs.actual.string()), rules_of(comparison.criteria),
-      counts_of(comparison));
+      counts_of(comparison) + notes_html(comparison));
 }
 
 constexpr const char* toolbar = R"(<div class="bar" hidden>

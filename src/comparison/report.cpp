@@ -62,17 +62,8 @@ std::string summary_line(const Comparison& comparison) {
   return line + "\n";
 }
 
-/// Writes each note once, with the number of frames that have it.
 void write_notes(const Comparison& comparison, const Write& write) {
-  std::map<std::string, std::size_t> counts;
-  for (const FrameResult& frame : comparison.frames) {
-    for (const std::string& note : frame.notes) ++counts[note];
-  }
-  for (const auto& [note, count] : counts) {
-    const std::string where =
-        comparison.inputs.folders ? fmt::format("{} frame{}: ", count, count == 1 ? "" : "s") : "";
-    write(fmt::format("note: {}{}\n", where, note));
-  }
+  for (const std::string& note : notes_of(comparison)) write("note: " + note + "\n");
 }
 
 /// Serialises JSON, and replaces bytes of file names that are not UTF-8.
@@ -124,6 +115,20 @@ std::string junit_case(const FrameResult& frame, const Comparison& comparison) {
 }
 
 }  // namespace
+
+std::vector<std::string> notes_of(const Comparison& comparison) {
+  std::map<std::string, std::size_t> counts;
+  for (const FrameResult& frame : comparison.frames) {
+    for (const std::string& note : frame.notes) ++counts[note];
+  }
+  std::vector<std::string> notes;
+  for (const auto& [note, count] : counts) {
+    notes.push_back(comparison.inputs.folders
+                        ? fmt::format("{} frame{}: {}", count, count == 1 ? "" : "s", note)
+                        : note);
+  }
+  return notes;
+}
 
 std::string difference_text(const FrameResult& frame, const Criteria& criteria) {
   const image::Difference& d = frame.difference;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "comparison/comparison.h"
 
@@ -14,6 +15,9 @@ using Write = std::function<void(std::string_view)>;
 /// Describes how much a frame differs: "max 30 mean 0.100000 of 255, 0.010000 of the pixels over
 /// 0".
 std::string difference_text(const FrameResult& frame, const Criteria& criteria);
+
+/// Returns the notes of all frames, each once, with the number of frames that have it.
+std::vector<std::string> notes_of(const Comparison& comparison);
 
 /// Writes one line for two files, and a line for each note. For folders, writes a line for each
 /// frame that is not as expected, a line for each note, and a summary.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/file_ending.h"
 #include "comparison/page.h"
 #include "image/png.h"
 #include "system/file.h"

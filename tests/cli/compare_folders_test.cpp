@@ -73,6 +73,43 @@ TEST_F(CompareFolders, HaveALineForEachFrameThatDiffersInTheOrderOfTheNames) {
             "1 extra\n");
 }
 
+TEST_F(CompareFolders, OfWhichNoFrameCouldBeComparedAreDifferent) {
+  for (const char* name : {"a.png", "b.png"}) write_picture(folder_ / "golden" / name, 100);
+  write_picture(folder_ / "actual/c.png", 100);
+  const Outcome run = compare();
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, EndsWith("different: no frame was compared: 2 missing, 1 extra\n"));
+}
+
+/// Writes an opaque gray picture with an alpha channel.
+void write_opaque_picture(const std::filesystem::path& file) {
+  image::Image image(16, 16, 4);
+  std::ranges::fill(image.pixels, std::uint8_t{100});
+  for (std::size_t at = 3; at < image.pixels.size(); at += 4) image.pixels[at] = 255;
+  system::write_file_atomically(file, image::encode_png(image));
+}
+
+TEST_F(CompareFolders, NoteDifferencesOfTheFilesOnce) {
+  for (const char* name : {"a.png", "b.png"}) {
+    write_picture(folder_ / "golden" / name, 100);
+    write_opaque_picture(folder_ / "actual" / name);
+  }
+  add("c.png", 100, 100);
+  const Outcome run = compare("--report r.html");
+  EXPECT_EQ(run.code, 0) << run.out;
+  const std::string note =
+      "the actual picture has an alpha channel, opaque everywhere, and the expected one has none";
+  EXPECT_EQ(run.out,
+            "note: 2 frames: " + note + "\nalike: 0 of 3 frames differ, 1 are identical files\n");
+  EXPECT_THAT(text_of(folder_ / "r.html"), HasSubstr("Note: 2 frames: " + note));
+  const auto found = nlohmann::json::parse(compare("--format json").out);
+  EXPECT_EQ(found["frames"][0]["notes"], nlohmann::json({note}));
+  EXPECT_FALSE(found["frames"][2].contains("notes"));
+  const Outcome files = run_twrench(folder_, "compare golden/a.png actual/a.png --diff d.png");
+  EXPECT_EQ(files.code, 0);
+  EXPECT_THAT(files.out, AllOf(StartsWith("alike: max 0 "), EndsWith("\nnote: " + note + "\n")));
+}
+
 TEST_F(CompareFolders, AsJson) {
   add("a.png", 100, 130);
   add("b.png", 100, 100);

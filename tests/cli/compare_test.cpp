@@ -57,6 +57,14 @@ TEST_F(Compare, SizesThatDiffer) {
   EXPECT_THAT(run.out, HasSubstr("10x10"));
 }
 
+TEST_F(Compare, AnEndingAloneIsNoName) {
+  for (const char* option : {"--report .html", "--diff .png"}) {
+    const Outcome run = run_twrench(folder_, std::string("compare a.png b.png ") + option);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("there is no name before the ending"));
+  }
+}
+
 TEST_F(Compare, TheLowByteIsADifference) {
   const std::string pam =
       "printf 'P7\\nWIDTH 1\\nHEIGHT 1\\nDEPTH 3\\nMAXVAL 65535\\nTUPLTYPE "
