@@ -13,6 +13,7 @@
 #include <csignal>
 #include <ctime>
 #include <system_error>
+#include <utility>
 
 namespace twrench::system {
 namespace {
@@ -120,21 +121,21 @@ pid_t spawn(std::vector<std::string> command, const Descriptor& input, int outpu
   return pid;
 }
 
-/// Measures the time without progress as the sum of short waits. What a child prints is not
-/// progress: it may print without end. Time during which this program is stopped, and cannot see
-/// progress, counts as at most one wait.
+/// Measures the time without progress. What a child prints is not progress, because it may print
+/// without end. Time during which this program is stopped, and cannot see progress, counts as at
+/// most one wait.
 class Idleness {
  public:
   explicit Idleness(const Patience& patience) : left_(patience.time), stop_(patience.stop) {}
 
-  /// Waits for the events and returns whether there were any. The time that this takes accumulates.
+  /// Waits for the events, and returns whether there were any.
   bool wait(std::span<pollfd> events, ChildProcess::Time most = longest_wait) {
-    const auto span =
-        std::clamp(std::chrono::ceil<ChildProcess::Time>(left_), ChildProcess::Time(0), most);
-    const Clock::time_point start = Clock::now();
+    const auto left = std::chrono::ceil<ChildProcess::Time>(left_);
+    const auto span = std::clamp(left, ChildProcess::Time(0), most);
     const int found = ::poll(events.data(), events.size(), static_cast<int>(span.count()));
     if (found < 0 && errno != EINTR) throw_system_error(errno, "poll");
-    left_ -= std::min<Clock::duration>(Clock::now() - start, span);
+    const Clock::time_point now = Clock::now();
+    left_ -= std::min<Clock::duration>(now - std::exchange(before_, now), longest_wait);
     return found > 0;
   }
   bool is_over() const { return left_.count() <= 0 || (stop_ != nullptr && *stop_); }
@@ -145,6 +146,7 @@ class Idleness {
  private:
   using Clock = std::chrono::steady_clock;
   Clock::duration left_;
+  Clock::time_point before_ = Clock::now();
   const std::atomic<bool>* stop_;
 };
 
@@ -273,7 +275,7 @@ int ChildProcess::wait(Time work_left) {
     if (idle.wait(ready, most)) read_errors();
     if (idle.is_over() && !timed_out_) kill_unresponsive(most_time);
   }
-  // Only what is in the pipe: a process that the child started may still be printing.
+  // Reads only as much as the pipe holds, because a process that the child started may still print.
   const int in_pipe = errors_ ? ::fcntl(errors_.get(), F_GETPIPE_SZ) : 0;
   ready[0] = {errors_.get(), POLLIN, 0};
   for (int read = 0; read < in_pipe && errors_ && ::poll(ready.data(), 1, 0) > 0;) {
