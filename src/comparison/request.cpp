@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "base/file_ending.h"
 #include "comparison/page.h"
 #include "image/png.h"
 #include "system/file.h"

@@ -147,11 +147,14 @@ const OutputFormat& format_of(const OutputKind& kind, const std::filesystem::pat
     throw InvalidArgument("--format", "is needed for standard output, which has no file extension",
                           "give " + listed_names(kind));
   }
-  const bool is_only_ending =
-      ending.empty() && file.has_filename() && file.string().starts_with('.');
-  throw InvalidArgument(what,
-                        fmt::format("its name must end in {}{}", listed_endings(kind),
-                                    is_only_ending ? ", and begin with something else" : ""),
+  const std::string last = file.filename().string();
+  for (const OutputFormat& format : kind.formats) {
+    if (!last.empty() && has_ending(format, last)) {
+      throw InvalidArgument(what, "there is no name before the ending",
+                            "name a file, such as out" + last);
+    }
+  }
+  throw InvalidArgument(what, "its name must end in " + listed_endings(kind),
                         kind.choice == Choice::by_name
                             ? "choose another name, or the format: --format " + listed_names(kind)
                             : "choose another name");

@@ -136,6 +136,12 @@ TEST(OutputKind, RefusesOtherEndings) {
   for (const char* file : {"plot.bmp", "svg", "a.svg.txt", "-", ".png/a", ".svg"}) {
     EXPECT_THROW(format_of(plot_output, file), InvalidArgument) << file;
   }
+  try {
+    format_of(plot_output, "a/.svg");
+    ADD_FAILURE() << "no failure";
+  } catch (const InvalidArgument& error) {
+    EXPECT_EQ(error.remedy(), "name a file, such as out.svg");
+  }
   EXPECT_THROW(format_of(motion_output, "run.csv", "json"), InvalidArgument);
   EXPECT_THROW(format_of(motion_output, "run", "xml"), InvalidArgument);
   EXPECT_THROW(format_of(exported_motion, "-"), InvalidArgument);

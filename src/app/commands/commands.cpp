@@ -81,7 +81,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_cases(app);
   add_help(app);
   add_help_all(app);
-  refuse_empty_values(app);
+  refuse_meaningless_values(app);
 }
 
 ProgramModel program_model() {

@@ -68,8 +68,10 @@ const CLI::Option* option_in(const CLI::App& command, std::string_view text) {
 
 std::string fault_of(const CLI::Option& option) {
   if (option.get_expected_max() == 0) return "it takes no value";
-  if (option.count() > 1)
-    return fmt::format("it can be given only once, but was given {} times", option.count());
+  if (option.count() > 1) {
+    return fmt::format("it can be given only once, but was given {} times, the second as '{}'",
+                       option.count(), option.results().at(1));
+  }
   return fmt::format("its value {} is missing", placeholder_of(option));
 }
 
@@ -89,14 +91,18 @@ std::vector<std::string> words_for_parser(int argc, const char* const* argv) {
   return words;
 }
 
-void refuse_empty_values(CLI::App& app) {
+void refuse_meaningless_values(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     for (CLI::Option* option : command->get_options([](const CLI::Option*) { return true; })) {
       const std::string name = option->get_name();
       if (name == "--title") continue;
-      option->check([name](const std::string& value) -> std::string {
+      const bool takes_value = option->get_expected_max() > 0 || !option->get_fnames().empty();
+      option->check([name, takes_value](const std::string& value) -> std::string {
         if (value.empty())
           throw InvalidArgument(name, "its value is empty", "give a value, or omit the option");
+        if (!takes_value && value != "true" && value != "false")
+          throw InvalidArgument(name, fmt::format("it takes no value, but has '{}'", value),
+                                fmt::format("write {} alone", name));
         return {};
       });
     }

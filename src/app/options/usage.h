@@ -13,9 +13,10 @@ namespace twrench::app {
 /// "--name" and an empty word, because some CLI11 releases would take the next word as its value.
 std::vector<std::string> words_for_parser(int argc, const char* const* argv);
 
-/// Makes an empty value a usage error, because scripts pass one from an unset variable. A title may
-/// be empty. Call this after all options are added.
-void refuse_empty_values(CLI::App& app);
+/// Makes an empty value a usage error, because scripts pass one from an unset variable; a title may
+/// be empty. So is a value of an option that takes none, except true and false. Call this after all
+/// options are added.
+void refuse_meaningless_values(CLI::App& app);
 
 /// Returns our error message for a command line that `app` could not parse, independently of the
 /// CLI11 release; suggests the nearest option for an unknown one.
