@@ -226,7 +226,7 @@ TEST(ChildProcess, ThatDoesNotEndIsKilled) {
   }
 }
 
-// What it prints is no progress, however much it prints.
+// Printing is no progress, however much is printed.
 TEST(ChildProcess, ThatOnlyPrintsIsKilled) {
   const std::string prints = "while :; do echo busy; done >&2";
   for (const std::string& script : {prints, "cat >/dev/null; " + prints}) {
