@@ -161,9 +161,10 @@ class _Audio(_Value[Optional[str]]):
 class _Rate(_Value[float]):
     """A number per second. It can be set as a fraction, ``"30000/1001"`` or ``Fraction``."""
 
-    def __set__(self, scene: Scene, value: Any) -> None:
-        is_fraction = isinstance(value, Fraction)
-        super().__set__(scene, f"{value.numerator}/{value.denominator}" if is_fraction else value)
+    def __set__(self, scene: Scene, value: Rate) -> None:
+        if isinstance(value, Fraction):
+            value = f"{value.numerator}/{value.denominator}"
+        super().__set__(scene, cast(float, value))
 
 
 class _EnergyLossTime(_Value[Optional[float]]):

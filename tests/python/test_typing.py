@@ -19,7 +19,7 @@ x: np.ndarray = motion.X
 size: tuple[int, int] = twrench.Scene().size
 reveal_type(twrench.Scene().omega)
 twrench.simulate(body, [1, 0, 0], [0], step="x")
-twrench.Scene().fps = "fast"
+twrench.Scene().fps = [24]
 """
 
 #: Calls that a type checker must accept.
@@ -36,6 +36,7 @@ twrench.simulate(body, np.array([1, 0, 0]), span=(0, 10), fps=60, attitude=motio
 twrench.exact(body, [1, 0, 0], attitude=[1, 0, 0, 0]).at([0, 1])
 scene = Scene("phone", size=(640, 360), theme="paper", body=body, show={"floor", "hud"})
 scene.method = "cf4"
+scene.fps = "30000/1001"
 checks = twrench.check([motion, motion], body, steps=[0.1, 0.05])
 same: twrench.Checks = twrench.check(("a.csv", "b.csv"), body, units="deg")
 order: float | None = checks.order.rates

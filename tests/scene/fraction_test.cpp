@@ -35,7 +35,7 @@ Scene scene_of_film(const std::string& film) {
 TEST(Fraction, IsAFrameRateOfASceneFileAndOfAValue) {
   EXPECT_EQ(scene_of_film("fps = \"24000/1001\"").film.fps, 24000.0 / 1001.0);
   EXPECT_EQ(scene_of_film("fps = 24").film.fps, 24.0);
-  Scene changed;
+  Scene changed = scene_of_film("fps = 24");
   set_value(changed, "fps", "60000/1001");
   EXPECT_EQ(changed.film.fps, 60000.0 / 1001.0);
   for (const char* film :
