@@ -3,55 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <utility>
 
 #include "system/error.h"
+#include "table/csv_header.h"
 #include "table/error.h"
 #include "table/number_text.h"
 
 namespace twrench::table {
-namespace {
-
-std::string without_doubled_quotes(std::string_view cell) {
-  std::string text;
-  for (std::size_t i = 0; i < cell.size(); ++i) {
-    text += cell[i];
-    if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') ++i;
-  }
-  return text;
-}
-
-/// Whether the cell contains a unit of times, angles or rates and nothing else.
-bool is_known_unit(std::string_view cell) {
-  constexpr std::array known{"s",     "sec",   "ms",      "us",      "ns",     "deg",     "rad",
-                             "deg/s", "rad/s", "deg/sec", "rad/sec", "\u00b0", "\u00b0/s"};
-  const bool bracketed = cell.size() > 2 && (cell.front() == '[' || cell.front() == '(');
-  if (bracketed) cell = cell.substr(1, cell.size() - 2);
-  return std::ranges::find(known, cell) != known.end();
-}
-
-/// Whether the cells below the names are units rather than a row: none is a number, except for the
-/// 1 of a quantity without a unit.
-bool are_units(const std::vector<std::string_view>& cells) {
-  const auto is_value = [](std::string_view cell) { return cell != "1" && is_numeric(cell); };
-  return std::ranges::none_of(cells, is_value) && std::ranges::any_of(cells, is_known_unit);
-}
-
-std::vector<std::string> numbered_names(std::size_t count) {
-  std::vector<std::string> names;
-  for (std::size_t i = 1; i <= count; ++i) names.push_back(fmt::format("#{}", i));
-  return names;
-}
-
-std::vector<std::string> names_in(const std::vector<std::string_view>& cells) {
-  std::vector<std::string> names;
-  std::ranges::transform(cells, std::back_inserter(names), without_doubled_quotes);
-  return names;
-}
-
-}  // namespace
 
 CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
   header_.file = input_.name();
@@ -62,35 +21,19 @@ CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
     throw system::FileError(header_.file, "its lines end with CR alone",
                             "let them end with LF: tr '\\r' '\\n'");
   }
+  semicolon_marks_comment_ = sample.semicolon_marks_comment;
   dialect_ = detect_dialect(sample, header_.file);
   read_header(sample);
 }
 
 void CsvReader::read_header(const Sample& sample) {
-  const auto is_name = [](std::string_view cell) { return !cell.empty() && !is_numeric(cell); };
-  split_cells(sample.lines.front().text, dialect_.separator, cells_);
-  if (std::ranges::none_of(cells_, is_name)) {
-    header_.names = numbered_names(cells_.size());
-    // NumPy writes the names as a comment.
-    split_cells(sample.comment, dialect_.separator, cells_);
-    if (cells_.size() == header_.names.size() && std::ranges::all_of(cells_, is_name)) {
-      header_.names = names_in(cells_);
-    }
-    return;
-  }
-  header_.names = names_in(cells_);
-  first_line_ = sample.lines.front().number + 1;
-  if (sample.lines.size() > 1) {
-    split_cells(sample.lines[1].text, dialect_.separator, cells_);
-    if (are_units(cells_)) {
-      header_.units.assign(cells_.begin(), cells_.end());
-      header_.units.resize(header_.names.size());
-      first_line_ = sample.lines[1].number + 1;
-    }
-  }
-  if (sample.lines.back().number < first_line_) {
+  CsvHeader header = find_csv_header(sample, dialect_.separator);
+  header_.names = std::move(header.names);
+  header_.units = std::move(header.units);
+  if (header.first_row == sample.lines.size()) {
     throw BadTable(header_.file, "it has a header, but no rows");
   }
+  first_line_ = sample.lines[header.first_row].number;
 }
 
 void CsvReader::select(std::span<const std::size_t> columns) {
@@ -103,7 +46,7 @@ std::string CsvReader::place() const { return lines_.place(); }
 bool CsvReader::next_line(std::string_view& line) {
   do {
     if (!lines_.next(line)) return false;
-  } while (lines_.number() < first_line_ || is_blank_or_comment(line));
+  } while (lines_.number() < first_line_ || is_blank_or_comment(line, semicolon_marks_comment_));
   return true;
 }
 

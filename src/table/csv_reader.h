@@ -36,6 +36,7 @@ class CsvReader : public Reader {
 
   Input input_;
   Dialect dialect_;
+  bool semicolon_marks_comment_ = true;
   LineReader lines_;
   std::size_t first_line_ = 1;      ///< the first that may be a row
   std::vector<Selected> selected_;  ///< in the order of the file's columns

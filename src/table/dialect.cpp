@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "system/error.h"
@@ -13,10 +12,7 @@
 namespace twrench::table {
 namespace {
 
-constexpr std::size_t sample_lines = 32;
-
-/// Blanks come last, because they may follow the other separators.
-constexpr std::array separators{'\t', ';', '|', ',', ' '};
+constexpr std::size_t sample_lines = 32, kept_comments = 32;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -109,23 +105,41 @@ std::string_view take_quoted(std::string_view line, std::size_t& at, bool& close
   return line.substr(first, end - first);
 }
 
+/// Whether semicolons separate cells: the first line that no mark makes a comment has one, or all
+/// lines begin with one.
+bool has_semicolons_between_cells(const Input& input) {
+  LineReader lines(input);
+  for (std::string_view line; lines.next(line);) {
+    if (!is_blank_or_comment(line, true)) return line.find(';') != std::string_view::npos;
+  }
+  return true;
+}
+
+/// The text of a comment after its mark, which may be repeated.
+std::string without_mark(std::string_view comment) {
+  const std::size_t first = comment.find_first_not_of("#%/;");
+  return std::string(first == std::string_view::npos ? "" : trimmed(comment.substr(first)));
+}
+
 }  // namespace
 
-bool is_blank_or_comment(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first == std::string_view::npos || line[first] == '#' || line[first] == '%';
+bool is_blank_or_comment(std::string_view line, bool semicolon_marks_comment) {
+  const std::string_view text = trimmed(line);
+  return text.empty() || text.front() == '#' || text.front() == '%' || text.starts_with("//") ||
+         (semicolon_marks_comment && text.front() == ';');
 }
 
 Sample read_sample(const Input& input) {
   Sample sample;
+  sample.semicolon_marks_comment = !has_semicolons_between_cells(input);
   LineReader lines(input);
   for (std::string_view line; sample.lines.size() < sample_lines && lines.next(line);) {
-    if (!is_blank_or_comment(line)) {
+    const std::string_view text = trimmed(line);
+    if (!is_blank_or_comment(line, sample.semicolon_marks_comment)) {
       sample.lines.push_back({std::string(line), lines.number()});
-    } else if (const std::string_view text = trimmed(line); !text.empty() && sample.lines.empty()) {
-      sample.comment = trimmed(text.substr(text.find_first_not_of("#%") == std::string_view::npos
-                                               ? text.size()
-                                               : text.find_first_not_of("#%")));
+    } else if (!text.empty() && sample.lines.empty()) {
+      sample.comments.push_back(without_mark(text));
+      if (sample.comments.size() > kept_comments) sample.comments.erase(sample.comments.begin());
     }
   }
   return sample;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "table/input.h"
 
 namespace twrench::table {
+
+/// The separators that a file may have. Blanks come last, because they may follow the others.
+inline constexpr std::array separators{'\t', ';', '|', ',', ' '};
 
 /// How a text file writes its cells.
 struct Dialect {
@@ -22,12 +26,15 @@ struct Sample {
     std::size_t number;  ///< in the file, from 1
   };
 
-  std::vector<Line> lines;  ///< neither blank nor a comment
-  std::string comment;      ///< the last comment before them, without its mark
+  std::vector<Line> lines;            ///< neither blank nor a comment
+  std::vector<std::string> comments;  ///< the last ones before them, without their marks
+  /// Whether a line that begins with a semicolon is a comment. Otherwise its first cell is empty.
+  bool semicolon_marks_comment = true;
 };
 
-/// Whether the line has no cells: it is blank, or a comment (# or % at its beginning).
-bool is_blank_or_comment(std::string_view line);
+/// Whether the line has no cells: it is blank, or a comment, which begins with #, %, // or, if
+/// `semicolon_marks_comment`, a semicolon.
+bool is_blank_or_comment(std::string_view line, bool semicolon_marks_comment);
 
 /// Reads the beginning of the file. Throws system::FileError.
 Sample read_sample(const Input& input);
