@@ -58,9 +58,11 @@ std::string data(const ErrorPanel& panel, std::span<const JudgedCurve> curves,
   const auto out = std::back_inserter(text);
   for (const std::size_t i : panel.curves) {
     fmt::format_to(out, "${}{} << END\n", panel.block, i);
-    for (const check::Span& span : curves[i].judgement->course) {
+    const check::Judgement& judgement = *curves[i].judgement;
+    for (const check::Span& span : judgement.course) {
+      const double t = check::clock_time(judgement, span.last.t);
       const double error = panel.factor * span.*panel.error;
-      fmt::format_to(out, "{:.9g} {} {:.6g}\n", span.last.t / unit.length,
+      fmt::format_to(out, "{:.15g} {} {:.6g}\n", t / unit.length,
                      error > 0 ? fmt::format("{:.6g}", error) : "NaN",
                      panel.factor * span.*panel.limit);
     }
@@ -103,14 +105,14 @@ Times times_of(std::span<const JudgedCurve> curves) {
   auto [from, to] = Times{};
   for (const JudgedCurve& curve : curves) {
     from = std::min(from, curve.judgement->first_time);
-    to = std::max(to, curve.judgement->last_time);
+    to = std::max(to, check::clock_time(*curve.judgement, curve.judgement->duration));
   }
   return {from, to};
 }
 
 std::string range(const Times& times, const TimeUnit& unit) {
   if (!(times.from < times.to)) return "[*:*]";
-  return fmt::format("[{:.9g}:{:.9g}]", times.from / unit.length, times.to / unit.length);
+  return fmt::format("[{:.15g}:{:.15g}]", times.from / unit.length, times.to / unit.length);
 }
 
 std::string draw(const ErrorPanel& panel, std::span<const JudgedCurve> curves) {

@@ -22,9 +22,14 @@ Number decode_number(const char* bytes) {
   std::array<char, sizeof(T)> raw{};
   std::memcpy(raw.data(), bytes, raw.size());
   if constexpr (endian != std::endian::native) std::ranges::reverse(raw);
+  const T read = std::bit_cast<T>(raw);
   Number number;
-  number.value = static_cast<double>(std::bit_cast<T>(raw));
+  number.value = static_cast<double>(read);
   if constexpr (std::is_integral_v<T>) number.decimals = 0;
+  if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
+    const double high = static_cast<double>(read >> 32) * 0x1p32;
+    number.rest = (high - number.value) + static_cast<double>(read & 0xFFFFFFFF);
+  }
   return number;
 }
 

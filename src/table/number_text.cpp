@@ -1,8 +1,10 @@
 #include "table/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <system_error>
 
@@ -25,9 +27,28 @@ int exponent_of(std::string_view text) {
   return read.ec == std::errc{} ? std::clamp(exponent, -9999, 9999) : beyond;
 }
 
-/// Counts the digits of a text that is a number.
+/// The digits * 10^-decimals minus `value`, the nearest double. Each product is split into two
+/// doubles without rounding, because the difference has few digits left.
+double rest_of(std::uint64_t digits, int decimals, double value) {
+  static const std::array<double, 23> powers = [] {
+    std::array<double, 23> list{1};
+    for (std::size_t i = 1; i < list.size(); ++i) list[i] = 10 * list[i - 1];  // exact up to 10^22
+    return list;
+  }();
+  if (std::abs(decimals) > 22) return 0;
+  const auto high = static_cast<double>(digits >> 32) * 0x1p32;
+  const auto low = static_cast<double>(digits & 0xFFFFFFFF);
+  const double power = powers[static_cast<std::size_t>(std::abs(decimals))];
+  const double factor = decimals < 0 ? high : value;
+  const double product = factor * power, error = std::fma(factor, power, -product);
+  if (decimals < 0) return (product - value) + (error + low * power);
+  return ((high - product) - error + low) / power;
+}
+
+/// Counts the digits of a text that is a number, and sets the rest.
 void count_digits(std::string_view text, Number& number) {
   int decimals = 0, significant = 0;
+  std::uint64_t digits = 0;
   bool behind_point = false;
   std::size_t i = text.starts_with('-') ? 1 : 0;
   for (; i < text.size() && is_digit_or_point(text[i]); ++i) {
@@ -37,9 +58,14 @@ void count_digits(std::string_view text, Number& number) {
     }
     decimals += behind_point ? 1 : 0;
     significant += significant > 0 || text[i] != '0' ? 1 : 0;
+    digits = 10 * digits + static_cast<std::uint64_t>(text[i] - '0');
   }
   number.decimals = decimals - exponent_of(text.substr(i));
   number.significant = significant;
+  constexpr int most = 19;  // digits that 64 bits can hold
+  if (significant == 0 || significant > most) return;
+  const double rest = rest_of(digits, number.decimals, std::abs(number.value));
+  number.rest = text.starts_with('-') ? -rest : rest;
 }
 
 /// Whether a number out of the range of doubles is too small rather than too large.
@@ -50,6 +76,7 @@ bool is_tiny(std::string_view text) {
 }
 
 Reading read_plain(std::string_view text, Number& number) {
+  number.rest = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number.value);
   if (stop != end || error == std::errc::invalid_argument) return Reading::text;

@@ -22,7 +22,9 @@ struct Number {
   /// For numbers in binary formats: more digits than any double has.
   static constexpr int all_digits = 1100;
 
-  double value = 0;              ///< the nearest double; infinite or NaN as in the file
+  double value = 0;  ///< the nearest double; infinite or NaN as in the file
+  double rest = 0;   ///< the number as written minus `value`, for integers of at most 19 digits and
+                     ///< numbers of at most 19 digits and 22 decimals; 0 for all others
   int decimals = all_digits;     ///< decimal places of the number without an exponent; negative if
                                  ///< its last digit is before the units: -2 for 12e2
   int significant = all_digits;  ///< digits from the first nonzero one; 0 for zero

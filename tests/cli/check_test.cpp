@@ -69,7 +69,7 @@ TEST_F(CheckCommand, RefusesRatesWhoseSquaresUnderflow) {
   system::write_file_atomically(folder_ / "tiny.csv", table("wx,wy,wz", "1e-300,1e-301,0", 9));
   const Outcome run = check("tiny.csv " + body);
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("tiny.csv: the first row: its rates have the magnitude 1e-300 "
+  EXPECT_THAT(run.err, HasSubstr("tiny.csv:2: the rates have the magnitude 1e-300 "
                                  "rad/s, but must be zero or at least 1e-100"));
 }
 

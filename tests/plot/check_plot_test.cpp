@@ -27,9 +27,9 @@ check::Judgement judgement(bool has_rates, bool has_attitude) {
           .has_rates = has_rates,
           .has_attitude = has_attitude,
           .first_time = 5,
-          .last_time = 7,
+          .duration = 2,
           .reference = {body},
-          .course = {span(5, 0, 0), span(6, 1e-6, 1e-7), span(7, 2e-5, 2e-7)}};
+          .course = {span(0, 0, 0), span(1, 1e-6, 1e-7), span(2, 2e-5, 2e-7)}};
 }
 
 std::string script(const std::vector<JudgedCurve>& curves) { return check_plot(curves).script; }
@@ -48,11 +48,10 @@ TEST(CheckPlot, HasAPanelForEachKindOfErrorInItsUnit) {
 TEST(CheckPlot, HasTimesInAUnitThatReadsWell) {
   check::Judgement brief = judgement(true, false);
   EXPECT_THAT(script({{"a", &brief}}), HasSubstr("set xlabel 't (s)'"));
-  brief.last_time = 5 + 2e-8;
-  brief.first_time = 5;
+  brief.duration = 2e-8;
   EXPECT_THAT(script({{"a", &brief}}), HasSubstr("set xlabel 't (ns)'"));
   check::Judgement one_row = judgement(true, false);
-  one_row.first_time = one_row.last_time;
+  one_row.duration = 0;
   EXPECT_THAT(script({{"a", &one_row}}), HasSubstr("set xlabel 't (s)'"));
 }
 

@@ -70,5 +70,24 @@ TEST(NumberText, TellsItsDigits) {
   expect("0", 0, 0);
 }
 
+double rest_of(std::string_view text) {
+  Number number;
+  EXPECT_EQ(read_number(text, false, number), Reading::number) << text;
+  return number.rest;
+}
+
+// As clocks that count from 1970 need them.
+TEST(NumberText, KeepsWhatADoubleRoundsAway) {
+  EXPECT_EQ(rest_of("1700000000123456789"), 1700000000123456789 - 1700000000123456768);
+  EXPECT_EQ(rest_of("-1700000000123456789"), -21);
+  EXPECT_EQ(rest_of("1.700000000123456789e18"), 21);
+  EXPECT_EQ(rest_of("17000000001234567.89e2"), 21);
+  EXPECT_NEAR(rest_of("1700000000.123456"), -1.28173828125e-9, 1e-20);
+  EXPECT_NEAR(rest_of("0.1"), -5.551115123125783e-18, 1e-30);
+  for (const char* text : {"0", "0.5", "1e22", "9007199254740992", "nan", "1e300", "1e-300"}) {
+    EXPECT_EQ(rest_of(text), 0) << text;
+  }
+}
+
 }  // namespace
 }  // namespace twrench::table

@@ -68,8 +68,8 @@ ExitCode answer(const check::CheckResult& result, bool no_fail) {
   for (const check::CheckedFile& file : result.files) {
     for (const check::CheckBound& bound : file.bounds) {
       if (!bound.is_exceeded()) continue;
-      say("twrench: check: {}: {} {} was exceeded: {:.6g}{}{}\n", file.name, bound.option,
-          bound.most, bound.value, bound.unit.empty() ? "" : " ", bound.unit);
+      say("twrench: check: {}: {} {} was exceeded: {}{}{}\n", file.name, bound.option, bound.most,
+          check::change_text("{:.6g}", bound.value), bound.unit.empty() ? "" : " ", bound.unit);
     }
   }
   const bool all_pass = std::ranges::all_of(result.files, check::passes);

@@ -75,6 +75,8 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
       return "judge a file of several rows, or give the initial state with --omega or --case";
     case check::CheckError::Reason::at_rest:
       return "replace --fit by --omega 0,0,0 to judge whether it stays at rest";
+    case check::CheckError::Reason::no_fit:
+      return "start the fit elsewhere with --omega X,Y,Z, or omit --fit";
     case check::CheckError::Reason::stopped:
       break;
   }

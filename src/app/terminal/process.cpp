@@ -13,6 +13,8 @@
 
 #include "app/terminal/error_report.h"
 #include "app/terminal/exit_code.h"
+#include "gl/error.h"
+#include "gl/library.h"
 #include "system/termination.h"
 
 namespace twrench::app {
@@ -63,13 +65,23 @@ void write_reason() {
   }
 }
 
-/// Prints a message when the program crashes, most likely in the OpenGL driver. Calls only
-/// async-signal-safe functions.
+/// Whether this process has used an OpenGL driver, or one that it was forked from.
+bool may_be_the_drivers_fault() {
+  try {
+    return gl::has_used_opengl();
+  } catch (const gl::GlError&) {
+    return true;
+  }
+}
+
+/// Prints a message when the program crashes. Calls only async-signal-safe functions, except in a
+/// process that was forked from one that draws.
 void report_crash(int) {
-  write_error(
-      "twrench: error: internal: it crashed\n"
-      "  if it was drawing, the OpenGL driver may be at fault: see twrench doctor; or it had too "
-      "little memory (ulimit -v)\n");
+  write_error("twrench: error: internal: it crashed\n");
+  write_error(may_be_the_drivers_fault()
+                  ? "  the OpenGL driver may be at fault: see twrench doctor; or it had too little "
+                    "memory (ulimit -v)\n"
+                  : "  it may have had too little memory (ulimit -v)\n");
   ::_exit(static_cast<int>(ExitCode::internal));
 }
 

@@ -192,7 +192,9 @@ class Search {
     if (!problem_.omega || tried.rows.size() < 2) return;
     const double unit = seconds(time_unit(tried.reading.convention));
     const Row& first = tried.rows.front();
-    const double t = first.t * unit - problem_.omega_time.value_or(first.t * unit);
+    const double first_time =
+        name_of(time_unit(tried.reading.convention)).in_s * numbers_.rows[0][0].value;
+    const double t = first_time - problem_.omega_time.value_or(first_time);
     const Vector3d given = motion::ExactMotion({problem_.inertia, *problem_.omega}).at(t).omega;
     // Only the products of rates and times are right in the rows that were tested.
     const Vector3d found =

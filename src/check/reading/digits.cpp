@@ -13,6 +13,9 @@ namespace {
 /// Further digits of a double carry no information.
 constexpr int digits_of_double = 17;
 
+/// Numbers with so many digits may have some that mean nothing.
+constexpr int long_digits = 15;
+
 /// How many numbers are examined for digits that a conversion of their unit added.
 constexpr std::size_t kept_values = 192;
 
@@ -28,6 +31,37 @@ double unit_of_place(int decimals) {
   }();
   const auto place = static_cast<std::size_t>(decimals);
   return decimals >= 0 && place < powers.size() ? powers[place] : std::pow(10.0, -decimals);
+}
+
+/// Whether the value and the rest are together the number that was written or stored.
+bool is_written_exactly(const table::Number& number) {
+  constexpr int most_digits = 19;  // of an integer, as Number::rest allows
+  const bool is_integer = number.decimals <= 0 && (number.significant <= most_digits ||
+                                                   number.significant == number.all_digits);
+  return is_integer || number.significant < digits_of_double;
+}
+
+/// Whether the number has at most two digits before its zeros: 10, 250, 0.5.
+bool is_round(const table::Number& number) {
+  constexpr int most = 2;
+  if (number.value == 0 || number.significant <= most) return true;
+  if (number.significant > digits_of_double) return false;
+  const double scale = std::pow(10.0, std::floor(std::log10(std::abs(number.value))) - (most - 1));
+  const double digits = number.value / scale;
+  return std::abs(digits - std::nearbyint(digits)) < 1e-9;
+}
+
+/// The difference of two times that are written exactly. A whole number is without its last zeros,
+/// because a coarser clock than the unit leaves them.
+table::Number difference_of_times(double value, int decimals) {
+  table::Number number{value, 0, std::max(decimals, 0), 0};
+  if (value == 0) return number;
+  if (decimals <= 0) {
+    for (double rest = value; std::fmod(rest, 10) == 0; rest /= 10) --number.decimals;
+  }
+  const int leading = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  number.significant = std::max(leading + 1 + number.decimals, 1);
+  return number;
 }
 
 }  // namespace
@@ -54,6 +88,7 @@ void NarrowFormat::add(const table::Number& number) {
 bool NarrowFormat::holds_all() const { return all_ && evidence_ > enough_evidence; }
 
 void Digits::add(const table::Number& number) {
+  are_round_ = are_round_ && is_round(number);
   float16_.add(number);
   float32_.add(number);
   decimals_ = std::max(decimals_, number.decimals);
@@ -82,10 +117,9 @@ bool Digits::has_fixed_decimals() const {
 }
 
 Resolution Digits::resolution(double unit) const {
-  constexpr int long_digits = 15;
   if (significant_ >= long_digits && !float32_.holds_all()) {
-    if (const auto hidden = find_hidden_digits(first_values_)) {
-      Digits before;
+    if (const auto hidden = find_hidden_digits(first_values_, may_be_angles_)) {
+      Digits before(may_be_angles_);
       for (const table::Number& number : hidden->numbers) before.add(number);
       Resolution resolution = before.written_resolution(unit * hidden->factor);
       resolution.converted = hidden->factor != 1;
@@ -121,23 +155,36 @@ Resolution Digits::written_resolution(double unit) const {
 }
 
 void TimeDigits::add(const table::Number& number) {
-  digits_.add(number);
   ++count_;
-  if (count_ == 1) first_ = number.value;
-  if (count_ == 2) step_ = number.value - first_;
-  // The times are rounded to doubles, and the step is a difference of two of them.
-  const double expected = first_ + step_ * static_cast<double>(count_ - 1);
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() *
-                          std::max(std::abs(number.value), std::abs(first_));
-  const double allowed = rounding * static_cast<double>(count_);
-  if (count_ > 2 && std::abs(number.value - expected) > allowed) equally_spaced_ = false;
+  if (count_ == 1) first_ = number;
+  const double since = (number.value - first_.value) + (number.rest - first_.rest);
+  if (count_ == 2) step_ = since;
+  const bool is_exact = is_written_exactly(number);
+  are_exact_ = are_exact_ && is_exact;
+  are_round_ = are_round_ && is_round(number);
+  const bool is_long = is_exact && number.significant >= long_digits;
+  are_differences_ = are_differences_ || is_long;
+  digits_.add(is_long ? difference_of_times(since, number.decimals) : number);
+  // The step is a difference of two rounded times.
+  const double expected = step_ * static_cast<double>(count_ - 1);
+  const double size =
+      are_exact_ ? std::abs(since) : std::max(std::abs(number.value), std::abs(first_.value));
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double allowed = rounding * size * static_cast<double>(count_);
+  if (count_ > 2 && std::abs(since - expected) > allowed) equally_spaced_ = false;
 }
 
 Resolution TimeDigits::resolution(double unit) const {
-  if (count_ < 3 || !equally_spaced_) return digits_.resolution(unit);
-  Resolution exact;
-  exact.unit = unit;
-  return exact;
+  constexpr std::size_t few = 8;
+  const bool is_exact = (count_ > 2 && equally_spaced_) || (count_ <= few && are_round_);
+  Resolution resolution;
+  resolution.unit = unit;
+  if (!is_exact) resolution = digits_.resolution(unit);
+  // Otherwise the spacing is that of the differences.
+  const bool is_of_clock =
+      is_exact || are_differences_ ? !are_exact_ : resolution.written != NumberFormat::decimals;
+  if (is_of_clock) resolution.offset = unit * first_.value;
+  return resolution;
 }
 
 }  // namespace twrench::check

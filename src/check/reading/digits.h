@@ -34,7 +34,9 @@ class NarrowFormat {
 /// of the unit added.
 class Digits {
  public:
-  Digits() = default;
+  /// `may_be_angles` is whether a conversion from radians to degrees, or back, may have added
+  /// digits.
+  explicit Digits(bool may_be_angles = true) : may_be_angles_(may_be_angles) {}
   Digits(const Digits&) = delete;
   Digits& operator=(const Digits&) = delete;
 
@@ -43,6 +45,9 @@ class Digits {
   /// Returns the spacing of the numbers added so far. `unit` is the size of the file's unit in
   /// ours.
   Resolution resolution(double unit) const;
+
+  /// Whether all numbers have at most two digits before their zeros: 0, 20, -0.5.
+  bool are_round() const { return are_round_; }
 
  private:
   /// Numbers with the same leading place: 10^k <= |x| < 10^(k + 1).
@@ -54,6 +59,7 @@ class Digits {
   Resolution written_resolution(double unit) const;
   bool has_fixed_decimals() const;
 
+  bool may_be_angles_, are_round_ = true;
   std::map<int, Decade> decades_;
   Decade* last_ = nullptr;  ///< that of the previous number, as usually of the next
   int last_place_ = 0;
@@ -63,19 +69,23 @@ class Digits {
   std::vector<double> first_values_;  ///< nonzero, for find_hidden_digits()
 };
 
-/// Does the same for times, which may be exact with few digits.
+/// Does the same for times since the first one, which may be exact with few digits.
 class TimeDigits {
  public:
   void add(const table::Number& number);
 
-  /// Returns the resolution of doubles if the times are equally spaced in all their digits.
+  /// Returns the resolution of doubles if the times are equally spaced in all their digits, or a
+  /// few round numbers such as 0, 10 and 25, which nobody rounds.
   Resolution resolution(double unit) const;
 
  private:
-  Digits digits_;
+  Digits digits_{false};
   std::size_t count_ = 0;
-  double first_ = 0, step_ = 0;
-  bool equally_spaced_ = true;
+  table::Number first_;
+  double step_ = 0;
+  bool equally_spaced_ = true, are_round_ = true;
+  bool are_exact_ = true;         ///< no number was rounded to a double
+  bool are_differences_ = false;  ///< some times have so many digits that `digits_` has differences
 };
 
 }  // namespace twrench::check

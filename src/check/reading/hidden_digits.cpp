@@ -76,9 +76,10 @@ std::optional<HiddenDigits> undo(double factor, std::span<const double> values) 
 
 }  // namespace
 
-std::optional<HiddenDigits> find_hidden_digits(std::span<const double> values) {
+std::optional<HiddenDigits> find_hidden_digits(std::span<const double> values, bool may_be_angles) {
   constexpr std::size_t enough = 16;
   if (std::set<double>(values.begin(), values.end()).size() < enough) return std::nullopt;
+  if (!may_be_angles) return undo(1, values);
   for (const double factor : conversion_factors()) {
     if (auto hidden = undo(factor, values)) return hidden;
   }

@@ -49,7 +49,7 @@ RowSample read_row_sample(const std::filesystem::path& file, const Convention& c
 
 std::vector<Row> decoded(const RowSample& numbers, const Convention& convention) {
   std::size_t i = 0;
-  const RowDecoder decoder(numbers.header, convention, [&] { return numbers.places[i]; });
+  RowDecoder decoder(numbers.header, convention, [&] { return numbers.places[i]; });
   std::vector<std::size_t> order;
   for (const std::size_t column : decoder.columns()) {
     const auto found = std::ranges::find(numbers.columns, column);
@@ -59,6 +59,7 @@ std::vector<Row> decoded(const RowSample& numbers, const Convention& convention)
   std::vector<Row> rows(numbers.rows.size());
   for (; i < rows.size(); ++i) {
     for (std::size_t k = 0; k < order.size(); ++k) in_order[k] = numbers.rows[i][order[k]];
+    if (i == 0) decoder.set_first_row(in_order);
     decoder.decode(in_order, rows[i]);
   }
   return rows;

@@ -6,7 +6,7 @@
 namespace twrench::check {
 
 double Resolution::at(double value) const {
-  const double size = std::abs(value);
+  const double size = std::abs(offset + value);
   const double doubles = std::numeric_limits<double>::epsilon() * size;
   const double in_file = size / unit;
   if (in_file == 0 || !std::isfinite(in_file)) return std::max(absolute, doubles);

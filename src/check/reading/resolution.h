@@ -23,6 +23,9 @@ struct Resolution {
   int base = 2;
   /// The file's unit in ours: pi/180 for degrees.
   double unit = 1;
+  /// The file's zero in our unit, if the spacing depends on the file's own numbers and these count
+  /// from elsewhere.
+  double offset = 0;
 
   /// The spacing at `value`, in our unit: at least that of doubles.
   double at(double value) const;

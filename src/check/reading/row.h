@@ -8,7 +8,7 @@ namespace twrench::check {
 /// A row in the program's units and conventions.
 struct Row {
   std::size_t number = 0;  ///< among the rows of data, from 1
-  double t = 0;            ///< s, on the file's clock, including its offset
+  double t = 0;            ///< s since the first row
   /// rad/s, body axes; zero if the file has no rates.
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();
   /// space_from_body. Quaternions are normalised, matrices are not. The identity if the file has no

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "check/conventions/units.h"
@@ -81,12 +82,13 @@ std::span<const table::Number> RowDecoder::attitude_in(
 
 void RowDecoder::decode(std::span<const table::Number> numbers, Row& row) const {
   require_finite(numbers);
-  row.t = second_ * numbers[0].value;
+  row.t = second_ * ((numbers[0].value - first_time_.value) + (numbers[0].rest - first_time_.rest));
   if (has_rates_) {
     for (int i = 0; i < 3; ++i) {
       row.omega[i] = rate_unit_ * rates_in(numbers)[static_cast<std::size_t>(i)].value;
     }
   }
+  require_within_limits(numbers, row);
   if (form_ != AttitudeForm::none) decode_attitude(attitude_in(numbers), row);
   if (rates_in_space_) {
     row.omega = (body_from_file_.determinant() * row.X.transpose() * row.omega).eval();
@@ -102,6 +104,42 @@ void RowDecoder::require_finite(std::span<const table::Number> numbers) const {
                           fmt::format("{} is not finite", numbers[i].value),
                           "remove the row, or truncate the file before it");
   }
+}
+
+/// The limits are those of scenes. Within them no square of a rate overflows or underflows.
+void RowDecoder::require_within_limits(std::span<const table::Number> numbers,
+                                       const Row& row) const {
+  constexpr double longest = 1e15;  // s
+  // Clocks may count nanoseconds since 1970, and their unit may not be known yet.
+  constexpr double most_on_clock = 1e20;  // s
+  constexpr double most = 1e12;           // rad/s, rad
+  const auto require = [&](std::size_t i, double size, double limit, std::string_view unit,
+                           const char* remedy) {
+    if (std::abs(size) <= limit) return;
+    throw table::BadTable(table::cell_place(place_(), names_[i]),
+                          fmt::format("{:.3g} {} is beyond the limit of {:g} {}", size, unit, limit,
+                                      unit.substr(0, unit.find(' '))),
+                          remedy);
+  };
+  const char* const remedy_for_time = "correct the row, or state the unit: --time-unit";
+  require(0, second_ * numbers[0].value, most_on_clock, "s", remedy_for_time);
+  require(0, row.t, longest, "s after the first row", remedy_for_time);
+  const std::size_t rates = rates_in(numbers).size();
+  for (std::size_t i = 1; i <= rates; ++i) {
+    require(i, rate_unit_ * numbers[i].value, most, "rad/s", "correct or remove the row");
+  }
+  for (std::size_t i = 1; form_ == AttitudeForm::euler && i <= 3; ++i) {
+    require(rates + i, angle_unit_ * numbers[rates + i].value, most, "rad",
+            "correct or remove the row");
+  }
+  constexpr double least = 1e-100;  // rad/s
+  const double speed = row.omega.stableNorm();
+  if (rates == 0 || speed == 0 || speed >= least) return;
+  throw table::BadTable(place_(),
+                        fmt::format("the rates have the magnitude {:.3g} rad/s, but must be zero "
+                                    "or at least {:.3g}",
+                                    speed, least),
+                        "write zeros if the body is at rest");
 }
 
 void RowDecoder::decode_attitude(std::span<const table::Number> numbers, Row& row) const {

@@ -37,13 +37,21 @@ class RowDecoder {
   /// The unit of the attitude's numbers in rad; 1 if they are not angles.
   double attitude_unit() const { return form_ == AttitudeForm::euler ? angle_unit_ : 1.0; }
 
+  /// Sets the row whose time is 0: that of the first row. Digits that a clock counting from 1970
+  /// needs for its years are then not lost, because the numbers are subtracted before they are
+  /// converted.
+  void set_first_row(std::span<const table::Number> numbers) { first_time_ = numbers[0]; }
+  /// The time of the first row in s, on the file's clock.
+  double first_time() const { return second_ * first_time_.value; }
+
   /// Sets everything in the row except its number. Throws table::BadTable if the numbers are not
-  /// finite or not a rotation.
+  /// finite, beyond the limits of times and rates, or not a rotation.
   void decode(std::span<const table::Number> numbers, Row& row) const;
 
  private:
   void select(const table::Header& header, const Convention& convention, Kind kind);
   void require_finite(std::span<const table::Number> numbers) const;
+  void require_within_limits(std::span<const table::Number> numbers, const Row& row) const;
   void decode_attitude(std::span<const table::Number> numbers, Row& row) const;
   void decode_matrix(std::span<const table::Number> entries, Row& row) const;
   void decode_quaternion(std::span<const table::Number> numbers, Row& row) const;
@@ -56,6 +64,7 @@ class RowDecoder {
   Axes sequence_{2, 1, 0};
   Eigen::Matrix3d body_from_file_;  ///< applies to the rates
   Eigen::Matrix3d turned_by_;       ///< multiplies the attitude from the right
+  table::Number first_time_;
   std::vector<std::size_t> columns_;
   std::vector<std::string> names_;  ///< of the columns
   std::function<std::string()> place_;

@@ -14,14 +14,15 @@ namespace twrench::check {
 struct RowReader::State {
   State(std::unique_ptr<table::Reader> opened, const Convention& meant);
 
-  void require_later(double t) const;
+  void require_later(const Row& row) const;
 
   std::unique_ptr<table::Reader> reader;
   Convention convention;
   RowDecoder decoder;
   std::vector<table::Number> numbers;
   std::size_t rows = 0;
-  double last_time = 0;  ///< in the file's unit
+  double last_time = 0;    ///< as in Row
+  double last_number = 0;  ///< the same as the file has it
   TimeDigits time_digits;
   Digits rate_digits, attitude_digits;
 };
@@ -34,14 +35,25 @@ RowReader::State::State(std::unique_ptr<table::Reader> opened, const Convention&
   reader->select(decoder.columns());
 }
 
-void RowReader::State::require_later(double t) const {
-  if (rows == 0 || t > last_time) return;
-  const bool is_doubled = t == last_time;
+void RowReader::State::require_later(const Row& row) const {
+  constexpr double least = 1e-15;  // s, as of a method's steps
+  if (rows == 0 || row.t - last_time >= least) return;
+  const double t = numbers.front().value;
+  const bool is_doubled = t == last_number || row.t == last_time;
+  if (!is_doubled && row.t > last_time) {
+    throw table::BadTable(
+        table::cell_place(reader->place(), reader->header().names[decoder.columns().front()]),
+        fmt::format(
+            "the time {} is only {:.3g} s after that of the row before, but at least {:g} s "
+            "are needed",
+            t, row.t - last_time, least),
+        "correct the row, or state the unit: --time-unit");
+  }
   throw table::BadTable(
       table::cell_place(reader->place(), reader->header().names[decoder.columns().front()]),
       fmt::format("the time {} {} of the row before{}", t,
                   is_doubled ? "is that" : "is before that",
-                  is_doubled ? "" : fmt::format(", {}", last_time)),
+                  is_doubled ? "" : fmt::format(", {}", last_number)),
       is_doubled ? "remove doubled rows, or write times with more digits"
                  : "sort the rows by time, or give one run a file");
 }
@@ -58,14 +70,18 @@ RowReader& RowReader::operator=(RowReader&&) noexcept = default;
 
 bool RowReader::has_rates() const { return state_->decoder.has_rates(); }
 
+double RowReader::first_time() const { return state_->decoder.first_time(); }
+
 AttitudeForm RowReader::attitude() const { return state_->decoder.attitude(); }
 
 bool RowReader::next(Row& row) {
   State& state = *state_;
   if (!state.reader->next(state.numbers)) return false;
+  if (state.rows == 0) state.decoder.set_first_row(state.numbers);
   state.decoder.decode(state.numbers, row);
-  state.require_later(state.numbers.front().value);
-  state.last_time = state.numbers.front().value;
+  state.require_later(row);
+  state.last_time = row.t;
+  state.last_number = state.numbers.front().value;
   state.time_digits.add(state.numbers.front());
   for (const table::Number& rate : state.decoder.rates_in(state.numbers))
     state.rate_digits.add(rate);
@@ -83,7 +99,13 @@ Resolution RowReader::time_resolution() const {
 }
 
 Resolution RowReader::rate_resolution() const {
-  return state_->rate_digits.resolution(state_->decoder.rate_unit());
+  const Resolution printed = state_->rate_digits.resolution(state_->decoder.rate_unit());
+  const bool has_all_digits =
+      attitude() != AttitudeForm::none && attitude_resolution().written == NumberFormat::float64;
+  if (!has_all_digits || !state_->rate_digits.are_round()) return printed;
+  Resolution exact;
+  exact.unit = printed.unit;
+  return exact;
 }
 
 Resolution RowReader::attitude_resolution() const {

@@ -28,9 +28,12 @@ class RowReader {
   bool has_rates() const;
   AttitudeForm attitude() const;
 
+  /// The time of the first row in s, on the file's clock; known after it was read.
+  double first_time() const;
+
   /// Reads the next row. Returns false at the end. Throws system::FileError if the file cannot be
   /// read, and table::BadTable, naming the row and the column, if a value is not a number, not
-  /// finite, out of the order of time, or not a rotation.
+  /// finite, beyond the limits, out of the order of time, or not a rotation.
   bool next(Row& row);
 
   /// Location of the row read last: "run.csv:17", or "run.npy: row 16" in a file without lines.
@@ -38,9 +41,11 @@ class RowReader {
 
   // Resolutions of the rows read so far; final after the pass.
 
-  /// s. That of doubles if the times are equally spaced and exact in all their digits.
+  /// s, for times since the first row. That of doubles if the times are exact in all their digits,
+  /// because they are equally spaced or a few round numbers.
   Resolution time_resolution() const;
-  /// rad/s.
+  /// rad/s. That of doubles if the rates are round numbers beside an attitude with all digits of
+  /// doubles: a program that prints these does not round 20.
   Resolution rate_resolution() const;
   /// For the entries of the matrix or of the quaternion, or for the Euler angles in rad.
   Resolution attitude_resolution() const;

@@ -78,7 +78,9 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
                ? "the step sizes that --steps gives are the same"
                : "the files have the same time between rows; give their step sizes with --steps";
   }
-  const auto end = [](const CheckedFile& file) { return file.judgement.last_time; };
+  const auto end = [](const CheckedFile& file) {
+    return clock_time(file.judgement, file.judgement.duration);
+  };
   const auto [first, last] = std::ranges::minmax_element(files, {}, end);
   if (end(*last) - end(*first) > 1.5 * most->step) return "the files end at different times";
   return {};
@@ -92,8 +94,7 @@ CheckedFile check_file(const std::string& name, const Convention& given, const P
   file.other_start = other_start_of(file, problem);
   file.bounds = applied(bounds, name, file.judgement);
   if (file.judgement.rows > 1) {
-    file.step = (file.judgement.last_time - file.judgement.first_time) /
-                static_cast<double>(file.judgement.rows - 1);
+    file.step = file.judgement.duration / static_cast<double>(file.judgement.rows - 1);
   }
   return file;
 }

@@ -14,18 +14,22 @@ Json nullable(const std::optional<double>& value) { return value ? Json(*value) 
 
 Json vector_json(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-Json size_json(const std::optional<ErrorSize>& size, double factor, const char* unit) {
+Json size_json(const Judgement& judgement, const std::optional<ErrorSize>& size, double factor,
+               const char* unit) {
   if (!size) return nullptr;
   return {{"unit", unit},
           {"max_error", size->max * factor},
-          {"max_error_at", size->at},
+          {"max_error_at", clock_time(judgement, size->at)},
           {"rms_error", size->rms * factor}};
 }
 
 Json flips_json(const Judgement& judgement) {
+  const auto time = [&](const std::optional<double>& t) {
+    return t ? Json(clock_time(judgement, *t)) : Json(nullptr);
+  };
   Json list = Json::array();
   for (const Flip& flip : judgement.flips) {
-    list.push_back({{"t", nullable(flip.found)}, {"exact", nullable(flip.exact)}});
+    list.push_back({{"t", time(flip.found)}, {"exact", time(flip.exact)}});
   }
   return list;
 }
@@ -73,7 +77,7 @@ Json phase_json(const Judgement& judgement, double factor) {
   if (!judgement.parts) return nullptr;
   const ErrorParts& parts = *judgement.parts;
   return {{"delay", parts.delay},
-          {"delay_at", parts.delay_at},
+          {"delay_at", clock_time(judgement, parts.delay_at)},
           {"delay_at_end", parts.delay_at_end},
           {"rate_error", parts.phase_rate * factor},
           {"angle_about_momentum",
@@ -107,7 +111,7 @@ Json conditioning_json(const Judgement& judgement, double factor) {
           {"rate_digit_printed", of_rates(digits.printed_rate)},
           {"attitude_digit", of_attitude(digits.attitude)},
           {"attitude_digit_printed", of_attitude(digits.printed_attitude)},
-          {"time_digit", digits.time.at(judgement.last_time)},
+          {"time_digit", digits.time.at(judgement.duration)},
           {"rate_limit", of_rates(judgement.rate_limit)},
           {"attitude_limit", of_attitude(judgement.attitude_limit)},
           {"within_digits", judgement.within_digits}};
@@ -183,13 +187,13 @@ Json file_json(const CheckedFile& file) {
   return {{"file", file.name},
           {"rows", judgement.rows},
           {"first_time", judgement.first_time},
-          {"last_time", judgement.last_time},
+          {"last_time", clock_time(judgement, judgement.duration)},
           {"step", file.step},
           {"read_as", convention_json(judgement.convention)},
           {"omega", vector_json(judgement.reference.body.omega() * unit.per_radian)},
-          {"omega_at", judgement.reference.start},
-          {"rates", size_json(judgement.rates, unit.per_radian, unit.symbol)},
-          {"attitude", size_json(judgement.attitude, degrees(1), "deg")},
+          {"omega_at", clock_time(judgement, judgement.reference.start)},
+          {"rates", size_json(judgement, judgement.rates, unit.per_radian, unit.symbol)},
+          {"attitude", size_json(judgement, judgement.attitude, degrees(1), "deg")},
           {"energy_drift", judgement.energy_drift},
           {"momentum_drift", nullable(judgement.momentum_drift)},
           {"momentum_direction_drift",

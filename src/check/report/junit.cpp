@@ -16,9 +16,9 @@ std::string bound_case(const CheckedFile& file, const CheckBound& bound) {
                   bound.unit.empty() ? "" : " ", text::escape_xml(bound.unit));
   if (!bound.is_exceeded()) return start + "/>\n";
   return fmt::format(
-      "{}>\n      <failure type=\"exceeded\" message=\"{:.6g}{}{}: {}\"/>\n    </testcase>\n",
-      start, bound.value, bound.unit.empty() ? "" : " ", text::escape_xml(bound.unit),
-      text::escape_xml(verdict(file).text));
+      "{}>\n      <failure type=\"exceeded\" message=\"{}{}{}: {}\"/>\n    </testcase>\n", start,
+      change_text("{:.6g}", bound.value), bound.unit.empty() ? "" : " ",
+      text::escape_xml(bound.unit), text::escape_xml(verdict(file).text));
 }
 
 /// Without bounds, the only test case is whether the file follows the motion.

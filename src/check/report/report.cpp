@@ -42,12 +42,19 @@ std::string vector_text(const Eigen::Vector3d& v) {
   return fmt::format("{:.10g},{:.10g},{:.10g}", v[0], v[1], v[2]);
 }
 
+/// A time on the file's clock. A clock that counts from 1970 needs ten digits before the point.
+std::string clock_text(const Judgement& judgement, double t) {
+  constexpr double large = 1e6;
+  const double time = clock_time(judgement, t);
+  return std::abs(time) < large ? fmt::format("{:.10g} s", time) : fmt::format("{:.6f} s", time);
+}
+
 std::string start_text(const Judgement& judgement) {
   const RateScale unit = rate_scale(judgement);
   const Reference& reference = judgement.reference;
   const std::string rates = vector_text(reference.body.omega() * unit.per_radian);
-  std::string text =
-      fmt::format("omega {} {} at t = {:.10g} s", rates, unit.symbol, reference.start);
+  std::string text = fmt::format("omega {} {} at t = {}", rates, unit.symbol,
+                                 clock_text(judgement, reference.start));
   if (!judgement.fit) return text;
   const Fit& fit = *judgement.fit;
   text += fmt::format(", fitted to {} rows, +- {:.2g},{:.2g},{:.2g}", fit.rows,
@@ -63,10 +70,11 @@ std::string start_text(const Judgement& judgement) {
   return text;
 }
 
-std::string size_text(const std::optional<ErrorSize>& size, double factor, const char* unit) {
+std::string size_text(const Judgement& judgement, const std::optional<ErrorSize>& size,
+                      double factor, const char* unit) {
   if (!size) return {};
-  return fmt::format("{:.3g} {} at {:.10g} s, rms {:.3g} {}", size->max * factor, unit, size->at,
-                     size->rms * factor, unit);
+  return fmt::format("{:.3g} {} at {}, rms {:.3g} {}", size->max * factor, unit,
+                     clock_text(judgement, size->at), size->rms * factor, unit);
 }
 
 std::string phase_text(const Judgement& judgement) {
@@ -77,9 +85,9 @@ std::string phase_text(const Judgement& judgement) {
   }
   const ErrorParts& parts = *judgement.parts;
   const RateScale unit = rate_scale(judgement);
-  std::string text = fmt::format("{:.3g} s {} at {:.10g} s, {:.3g} {}", std::abs(parts.delay),
-                                 parts.delay < 0 ? "early" : "late", parts.delay_at,
-                                 parts.phase_rate * unit.per_radian, unit.symbol);
+  std::string text = fmt::format(
+      "{:.3g} s {} at {}, {:.3g} {}", std::abs(parts.delay), parts.delay < 0 ? "early" : "late",
+      clock_text(judgement, parts.delay_at), parts.phase_rate * unit.per_radian, unit.symbol);
   if (judgement.has_attitude) {
     text += fmt::format("; about L {:.3g} deg", degrees(parts.angle_about_l));
   }
@@ -88,8 +96,8 @@ std::string phase_text(const Judgement& judgement) {
 
 std::string amplitude_text(const Judgement& judgement) {
   const RateScale unit = rate_scale(judgement);
-  std::string text = fmt::format("energy {:.2e}", judgement.energy_error);
-  if (judgement.momentum_error) text += fmt::format(", |L| {:.2e}", *judgement.momentum_error);
+  std::string text = "energy " + change_text("{:.2e}", judgement.energy_error);
+  if (judgement.momentum_error) text += ", |L| " + change_text("{:.2e}", *judgement.momentum_error);
   if (!judgement.parts) return text;
   text +=
       fmt::format(", {:.3g} {}", judgement.parts->amplitude_rate * unit.per_radian, unit.symbol);
@@ -100,8 +108,8 @@ std::string amplitude_text(const Judgement& judgement) {
 }
 
 std::string drift_text(const Judgement& judgement) {
-  std::string text = fmt::format("energy {:.2e}", judgement.energy_drift);
-  if (judgement.momentum_drift) text += fmt::format(", |L| {:.2e}", *judgement.momentum_drift);
+  std::string text = "energy " + change_text("{:.2e}", judgement.energy_drift);
+  if (judgement.momentum_drift) text += ", |L| " + change_text("{:.2e}", *judgement.momentum_drift);
   if (judgement.direction_drift) {
     text += fmt::format(", direction of L {:.2g} deg", degrees(*judgement.direction_drift));
   }
@@ -130,7 +138,7 @@ std::string conditioning_text(const Judgement& judgement) {
       "an error of the initial rates grows {:.3g} times; with the resolution of the digits, "
       "{}{:.2g} "
       "s, the limit is {} at the end",
-      judgement.growth.rates, of_digits, digits.time.at(judgement.last_time), open);
+      judgement.growth.rates, of_digits, digits.time.at(judgement.duration), open);
 }
 
 /// The noise, if it is larger than the resolution of the digits.
@@ -152,15 +160,15 @@ std::string noise_text(const Judgement& judgement) {
   return text;
 }
 
-std::string time_text(const std::optional<double>& t) {
-  return t ? fmt::format("{:.9f}", *t) : "-";
+std::string time_text(const Judgement& judgement, const std::optional<double>& t) {
+  return t ? fmt::format("{:.9f}", clock_time(judgement, *t)) : "-";
 }
 
-std::string flip_line(const Flip& flip) {
+std::string flip_line(const Judgement& judgement, const Flip& flip) {
   const std::string offset =
       flip.found && flip.exact ? fmt::format("{:+.3g}", *flip.found - *flip.exact) : "-";
-  return fmt::format("    {:>18}{:>18}{:>14}\n", time_text(flip.found), time_text(flip.exact),
-                     offset);
+  return fmt::format("    {:>18}{:>18}{:>14}\n", time_text(judgement, flip.found),
+                     time_text(judgement, flip.exact), offset);
 }
 
 std::string no_flips(const Judgement& judgement) {
@@ -181,16 +189,18 @@ std::string flips_text(const Judgement& judgement) {
   std::string text = line("flips", fmt::format("{} found, {} exact", found, exact));
   text += fmt::format("    {:>18}{:>18}{:>14}\n", "found, s", "exact, s", "offset, s");
   constexpr std::size_t most = 8;
-  for (std::size_t i = 0; i < std::min(flips.size(), most); ++i) text += flip_line(flips[i]);
+  for (std::size_t i = 0; i < std::min(flips.size(), most); ++i)
+    text += flip_line(judgement, flips[i]);
   return text + (flips.size() > most ? "    ...\n" : "");
 }
 
 std::string bounds_text(const CheckedFile& file) {
   std::string text;
   for (const CheckBound& bound : file.bounds) {
-    text += line(bound.is_exceeded() ? "exceeded" : "held",
-                 fmt::format("{} {:.6g}{}{}: {:.6g}", bound.option, bound.most,
-                             bound.unit.empty() ? "" : " ", bound.unit, bound.value));
+    text += line(
+        bound.is_exceeded() ? "exceeded" : "held",
+        fmt::format("{} {:.6g}{}{}: {}", bound.option, bound.most, bound.unit.empty() ? "" : " ",
+                    bound.unit, change_text("{:.6g}", bound.value)));
   }
   return text;
 }
@@ -198,12 +208,12 @@ std::string bounds_text(const CheckedFile& file) {
 std::string file_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   const RateScale unit = rate_scale(judgement);
-  return fmt::format("{}: {} rows, {:.10g} to {:.10g} s\n", text::escape(file.name), judgement.rows,
-                     judgement.first_time, judgement.last_time) +
+  return fmt::format("{}: {} rows, {} to {}\n", text::escape(file.name), judgement.rows,
+                     clock_text(judgement, 0), clock_text(judgement, judgement.duration)) +
          line("read as", text::escape(reading_text(judgement.convention))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
-         line("rate error", size_text(judgement.rates, unit.per_radian, unit.symbol)) +
-         line("attitude error", size_text(judgement.attitude, degrees(1), "deg")) +
+         line("rate error", size_text(judgement, judgement.rates, unit.per_radian, unit.symbol)) +
+         line("attitude error", size_text(judgement, judgement.attitude, degrees(1), "deg")) +
          line("drift", drift_text(judgement)) + line("phase", phase_text(judgement)) +
          line("amplitude", amplitude_text(judgement)) + flips_text(judgement) +
          line("conditioning", conditioning_text(judgement)) + line("noise", noise_text(judgement)) +

@@ -73,6 +73,9 @@ struct Verdict {
 };
 Verdict verdict(const CheckedFile& file);
 
+/// A relative change with a format of fmt such as "{:.2e}", or a remark if it is infinite.
+std::string change_text(const char* format, double change);
+
 /// How the numbers of a column are written: "6 decimals", "float32 (24 bits)".
 std::string precision_text(const Resolution& resolution);
 

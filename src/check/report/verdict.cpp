@@ -140,11 +140,11 @@ std::string sizes_text(const Judgement& judgement) {
   if (judgement.rates) {
     const RateScale unit = rate_scale(judgement);
     sizes.push_back(fmt::format("{:.3g} {} at {:.10g} s", judgement.rates->max * unit.per_radian,
-                                unit.symbol, judgement.rates->at));
+                                unit.symbol, clock_time(judgement, judgement.rates->at)));
   }
   if (judgement.attitude && !judgement.attitude_contradicts_rates) {
     sizes.push_back(fmt::format("{:.3g} deg at {:.10g} s", degrees(judgement.attitude->max),
-                                judgement.attitude->at));
+                                clock_time(judgement, judgement.attitude->at)));
   }
   return joined(sizes, " and ");
 }
@@ -178,7 +178,7 @@ std::string beginning_text(const CheckedFile& file) {
     const Reference& reference = file.other_start->reference;
     const Eigen::Vector3d omega = reference.body.omega() * unit.per_radian;
     fitted = fmt::format("; --fit finds {:.6g},{:.6g},{:.6g} {} at {:.10g} s", omega[0], omega[1],
-                         omega[2], unit.symbol, reference.start);
+                         omega[2], unit.symbol, clock_time(judgement, reference.start));
   }
   return fmt::format(
       "starts from another state: its first row is already off by {:.3g} {}, which grows to "
@@ -308,6 +308,10 @@ bool passes(const CheckedFile& file) {
   if (!file.bounds.empty()) return std::ranges::none_of(file.bounds, &CheckBound::is_exceeded);
   const Finding finding = verdict(file).finding;
   return finding == Finding::exact || finding == Finding::noise;
+}
+
+std::string change_text(const char* format, double change) {
+  return std::isfinite(change) ? fmt::format(fmt::runtime(format), change) : "from zero";
 }
 
 std::string precision_text(const Resolution& resolution) {

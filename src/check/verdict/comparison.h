@@ -39,7 +39,6 @@ class Comparison {
   void add(std::span<const Row> rows);
 
   std::size_t rows() const { return rows_; }
-  double first_time() const { return first_.t; }
   double last_time() const { return last_time_; }
 
   // Results over all rows so far; there must be at least one.

@@ -168,6 +168,10 @@ Fit result(const Reference& reference, std::span<const Row> rows, const Weights&
   const MatrixXd covariance = covariance_of(residuals);
   const RootMeanSquares left = root_mean_squares(residuals_of(residuals), weights);
   const double speed = reference.body.omega().norm();
+  if (!covariance.allFinite() || !std::isfinite(left.rates + left.attitude) ||
+      !std::isfinite(speed)) {
+    throw CheckError("fit", "the rows do not determine a state", CheckError::Reason::no_fit);
+  }
   Fit fit{reference, {}, speed * speed * covariance.topLeftCorner<3, 3>(), {}, {}, {}, rows.size()};
   fit.omega_deviation = fit.omega_covariance.diagonal().cwiseSqrt();
   if (weights.rates > 0) fit.rate_residual = left.rates;

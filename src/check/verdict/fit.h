@@ -27,8 +27,8 @@ inline constexpr std::size_t most_fitted_rows = 65536;
 /// Fits the angular velocity at the first row, and the frame if there is an attitude, to the rates
 /// in units of |omega| and to the attitudes in rad. Starts from `omega` (body axes, rad/s, at the
 /// first row) and the first rows, and adds more and more rows, so that it does not converge to a
-/// phase that is off by whole turns. Throws CheckError if there are fewer than two rows or `omega`
-/// is zero, or if `stop`, which may be null, becomes true.
+/// phase that is off by whole turns. Throws CheckError if there are fewer than two rows, `omega`
+/// is zero or the rows do not determine the state, or if `stop`, which may be null, becomes true.
 Fit fit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, const Eigen::Vector3d& omega,
         bool has_rates, bool has_attitude, const std::atomic<bool>* stop = nullptr);
 

@@ -91,9 +91,11 @@ std::vector<SignChange> exact_flips(const Reference& reference, double from, dou
   const double after = repeats ? flips->interval / 2 : 1 / reference.body.omega().norm();
   const bool first_is_up = axis.dot(exact.at(flips->first + after).omega) > 0;
   double n = repeats ? std::floor((from - first) / flips->interval) + 1 : 0;
-  for (; changes.size() < FlipFinder::most; ++n) {
+  for (double last = -INFINITY; changes.size() < FlipFinder::most; ++n) {
     const double t = n == 0 ? first : first + n * flips->interval;
-    if (t > to) break;
+    // A time may be so large that doubles near it are farther apart than the flips.
+    if (t > to || t == last) break;
+    last = t;
     if (t > from) changes.push_back({t, first_is_up == (std::fmod(n, 2) == 0)});
     if (!repeats) break;
   }

@@ -56,28 +56,25 @@ std::vector<Row> first_rows(const Recording& recording, std::size_t count) {
   return rows;
 }
 
-/// Throws BadTable if the squares of these rates would underflow.
-Vector3d require_representable(const Recording& recording, const Vector3d& omega) {
-  constexpr double least = 1e-100;  // rad/s, as of scenes
-  const double speed = omega.stableNorm();
-  if (speed == 0 || speed >= least) return omega;
-  throw table::BadTable(
-      recording.file.string() + ": the first row",
-      fmt::format("its rates have the magnitude {:.3g} rad/s, but must be zero or at least {:.3g}",
-                  speed, least),
-      "write zeros if the body is at rest");
-}
-
 Vector3d first_omega(const Recording& recording, const Problem& problem,
                      const std::vector<Row>& rows) {
   if (problem.omega) return *problem.omega;
-  if (recording.has_rates) return require_representable(recording, rows.front().omega);
+  if (recording.has_rates) return rows.front().omega;
   // With a single row, fit() throws.
   if (problem.fit && rows.size() == 1) return Vector3d::Zero();
   if (problem.fit) return omega_between(problem.inertia, rows[0], rows[1]);
   throw CheckError(recording.file.string(),
                    "has only attitudes, which do not determine the initial angular velocity",
                    CheckError::Reason::no_rates);
+}
+
+/// The time at which omega holds, in s since the first row.
+double start_of(const Recording& recording, const Problem& problem) {
+  if (!problem.omega || !problem.omega_time) return 0;
+  RowReader reader = recording.reader();
+  Row row;
+  reader.next(row);
+  return *problem.omega_time - reader.first_time();
 }
 
 Fit fitted(const Recording& recording, const Problem& problem) {
@@ -89,9 +86,7 @@ Fit fitted(const Recording& recording, const Problem& problem) {
   const std::vector<Row> first = first_rows(recording, 2);
   Vector3d omega = first_omega(recording, problem, first);
   if (problem.omega) {
-    const double t = first.front().t;
-    omega =
-        motion::ExactMotion({problem.inertia, omega}).at(t - problem.omega_time.value_or(t)).omega;
+    omega = motion::ExactMotion({problem.inertia, omega}).at(-start_of(recording, problem)).omega;
   }
   return fit(problem.inertia, thinned.rows(), omega, recording.has_rates, recording.has_attitude,
              problem.stop);
@@ -100,10 +95,9 @@ Fit fitted(const Recording& recording, const Problem& problem) {
 /// The given initial state, with the frame of the first row.
 Reference given_reference(const Recording& recording, const Problem& problem) {
   const std::vector<Row> first = first_rows(recording, 1);
-  const double t = first.front().t;
-  const double start = problem.omega ? problem.omega_time.value_or(t) : t;
+  const double start = start_of(recording, problem);
   Reference reference{{problem.inertia, first_omega(recording, problem, first)}, start};
-  const Matrix3d X = motion::ExactMotion(reference.body).at(t - start).X;
+  const Matrix3d X = motion::ExactMotion(reference.body).at(-start).X;
   reference.frame = nearest_rotation(first.front().X) * X.transpose();
   return reference;
 }
@@ -208,8 +202,8 @@ bool are_noise(const Judgement& judgement) {
   const Noise& noise = judgement.noise;
   const motion::FreeBody& body = judgement.reference.body;
   const double speed = body.omega().norm();
-  const double step = (judgement.last_time - judgement.first_time) /
-                      static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
+  const double step =
+      judgement.duration / static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
   constexpr double smooth = 0.5;  // rad per row: up to this, the errors of methods are smooth
   if ((noise.rate == 0 && noise.attitude == 0) || speed * step > smooth) return false;
   constexpr double most = 0.1;  // more is no measurement of the motion
@@ -235,8 +229,7 @@ bool are_noise(const Judgement& judgement) {
 
 void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm form) {
   judgement.rows = comparison.rows();
-  judgement.first_time = comparison.first_time();
-  judgement.last_time = comparison.last_time();
+  judgement.duration = comparison.last_time();
   judgement.energy_drift = comparison.energy_drift();
   judgement.energy_error = comparison.energy_error();
   if (judgement.has_rates) {
@@ -259,8 +252,7 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
                       const std::atomic<bool>* stop) {
   add_limits(judgement, comparison);
   judgement.flips =
-      paired(comparison.flips().finish(),
-             exact_flips(judgement.reference, judgement.first_time, judgement.last_time));
+      paired(comparison.flips().finish(), exact_flips(judgement.reference, 0, judgement.duration));
   judgement.more_flips = judgement.flips.size() >= FlipFinder::most;
   judgement.parts = error_parts(judgement.reference, judgement.course, judgement.has_attitude);
   // If the parts are larger than the whole, the phase was lost.
@@ -301,7 +293,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   Comparison comparison(reference, recording.has_rates, recording.has_attitude);
   for_each_block(reader, problem.stop, [&](std::span<const Row> rows) { comparison.add(rows); });
   const std::size_t enough = problem.omega ? 1 : 3;
-  const bool is_start_alone = comparison.rows() == 1 && comparison.first_time() == reference.start;
+  const bool is_start_alone = comparison.rows() == 1 && reference.start == 0;
   if (comparison.rows() < enough || is_start_alone) {
     throw CheckError(file.string(),
                      fmt::format("has {} {}, too few to determine a motion", comparison.rows(),
@@ -312,6 +304,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   Judgement judgement{.convention = convention,
                       .has_rates = recording.has_rates,
                       .has_attitude = recording.has_attitude,
+                      .first_time = reader.first_time(),
                       .reference = reference,
                       .is_start_given = problem.omega && !problem.fit,
                       .fit = fit};
@@ -325,6 +318,8 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   draw_conclusions(judgement, comparison, recording, problem.stop);
   return judgement;
 }
+
+double clock_time(const Judgement& judgement, double t) { return judgement.first_time + t; }
 
 double relative_error(const Judgement& judgement) {
   const double speed = judgement.reference.body.omega().norm();

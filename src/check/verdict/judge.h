@@ -34,13 +34,14 @@ struct Noise {
   double attitude = 0;  ///< likewise, rad
 };
 
-/// The findings about a recorded trajectory. Times are in s on the file's clock.
+/// The findings about a recorded trajectory. Times are in s since the first row.
 struct Judgement {
   Convention convention;
   bool has_rates = false, has_attitude = false;
 
   std::size_t rows = 0;
-  double first_time = 0, last_time = 0;
+  double first_time = 0;  ///< of the first row on the file's clock, s
+  double duration = 0;    ///< from the first row to the last
 
   Reference reference;          ///< the exact motion that it is compared with
   bool is_start_given = false;  ///< rather than taken from the rows
@@ -81,6 +82,9 @@ struct Judgement {
 /// be fitted.
 Judgement judge(const std::filesystem::path& file, const Convention& convention,
                 const Problem& problem);
+
+/// Converts a time of a judgement to the file's clock, s.
+double clock_time(const Judgement& judgement, double t);
 
 /// Returns the largest error of the rates relative to |omega|, or of the attitude in rad if there
 /// are no rates.

@@ -31,10 +31,10 @@ struct Problem {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// The exact motion on the clock and in the space frame of a file.
+/// The exact motion in the space frame of a file.
 struct Reference {
   motion::FreeBody body;                                ///< with omega at `start`
-  double start = 0;                                     ///< s, on the file's clock
+  double start = 0;                                     ///< s since the first row
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  ///< R above, with X_exact(start) = Id
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,34 @@ TEST(TimeDigits, OfRoundedStepsAreTheirLastPlace) {
   std::vector<std::string> texts;
   for (int i = 0; i < 1000; ++i) texts.push_back(fmt::format("{:.3f}", i / 60.0));
   EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(texts).at(10), 1e-3);
+}
+
+// A clock since 1970 that is cut off after the microseconds.
+TEST(TimeDigits, OfClocksAreThoseOfTheDifferences) {
+  std::vector<std::string> seconds, nanoseconds, equal, doubles;
+  for (std::int64_t i = 0; i < 100; ++i) {
+    seconds.push_back(fmt::format("17000000{:02}.{:06}", i / 30, i % 30 * 1000000 / 30));
+    nanoseconds.push_back(fmt::format("17000000{:02}{:06}000", i / 30, i % 30 * 1000000 / 30));
+    equal.push_back(fmt::format("{}", 1700000000000000000 + i * 20000001));
+    doubles.push_back(fmt::format("{:.17g}", 1.7e9 + 0.0333333333 * double(i * i)));
+  }
+  EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(seconds).at(3), 1e-6);
+  EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(nanoseconds, 1e-9).at(3), 1e-6);
+  EXPECT_LT(resolution_of<TimeDigits>(equal, 1e-9).at(3), 1e-8);
+  EXPECT_NEAR(resolution_of<TimeDigits>(doubles).at(3), 3.8e-7, 0.1e-7);
+}
+
+TEST(TimeDigits, OfAFewRoundNumbersAreExact) {
+  for (const std::vector<std::string>& texts : {std::vector<std::string>{"0", "10"},
+                                                {"0", "5"},
+                                                {"0", "0.5", "10", "100"},
+                                                {"0.0", "2.50"}}) {
+    EXPECT_LT(resolution_of<TimeDigits>(texts).at(10), 1e-14) << texts.back();
+  }
+  EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>({"0", "3.83"}).at(3.83), 0.01);
+  std::vector<std::string> rounded;  // by a clock of 60 ticks a second
+  for (int i = 0; i < 20; ++i) rounded.push_back(fmt::format("{:.2f}", i / 60.0));
+  EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(rounded).at(0.3), 0.01);
 }
 
 TEST(TimeDigits, OfSinglePrecisionAreThoseOfFloats) {

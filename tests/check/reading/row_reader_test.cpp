@@ -70,14 +70,17 @@ TEST(RowReader, ReadsRatesAndTimes) {
   const std::vector<Row> rows = rows_of(reader);
   ASSERT_THAT(rows, SizeIs(2));
   EXPECT_EQ(rows[1].number, 2U);
-  EXPECT_EQ(rows[1].t, 1.5);
+  EXPECT_EQ(rows[0].t, 0);
+  EXPECT_EQ(rows[1].t, 1);
+  EXPECT_EQ(reader.first_time(), 0.5);
   EXPECT_EQ(rows[0].omega, Eigen::Vector3d(1, -2, 3));
   EXPECT_EQ(reader.place(), "run.csv:3");
 }
 
 TEST(RowReader, ConvertsUnits) {
-  const std::vector<Row> rows = rows_of("time_ms,p (deg/s),q (deg/s),r (deg/s)\n250,180,90,-45\n");
-  EXPECT_DOUBLE_EQ(rows[0].t, 0.25);
+  const std::vector<Row> rows =
+      rows_of("time_ms,p (deg/s),q (deg/s),r (deg/s)\n0,180,90,-45\n250,1,2,3\n");
+  EXPECT_DOUBLE_EQ(rows[1].t, 0.25);
   EXPECT_TRUE(rows[0].omega.isApprox(degree * Eigen::Vector3d(180, 90, -45), 1e-15));
   Convention said;
   said.rate_unit = RateUnit::deg_s;
@@ -85,9 +88,69 @@ TEST(RowReader, ConvertsUnits) {
   EXPECT_EQ(rows_of("t,p,q,r\n0,1,2,3\n")[0].omega, Eigen::Vector3d(1, 2, 3));
   said.rate_unit = RateUnit::rpm;
   said.time_unit = TimeUnit::min;
-  const Row minute = rows_of("t,p,q,r\n0.5,60,0,-30\n", said)[0];
+  const Row minute = rows_of("t,p,q,r\n0,1,2,3\n0.5,60,0,-30\n", said)[1];
   EXPECT_DOUBLE_EQ(minute.t, 30);
   EXPECT_TRUE(minute.omega.isApprox(360 * degree * Eigen::Vector3d(1, 0, -0.5), 1e-15));
+}
+
+// A double near 1.7e9 has a spacing of 2.4e-7.
+TEST(RowReader, SubtractsTheFirstTimeBeforeDigitsAreLost) {
+  Convention nanoseconds;
+  nanoseconds.time_unit = TimeUnit::ns;
+  const Convention seconds;
+  for (const auto& [text, convention] :
+       {std::pair("t,wx,wy,wz\n1700000000.123456,1,2,3\n1700000000.143457,1,2,3\n", seconds),
+        std::pair("t,wx,wy,wz\n1700000000123456000,1,2,3\n1700000000143457000,1,2,3\n",
+                  nanoseconds),
+        std::pair("t,wx,wy,wz\n-1.7e9,1,2,3\n-1699999999.979999,1,2,3\n", seconds),
+        std::pair("[[1700000000.123456,1,2,3],[1700000000.143457,1,2,3]]", seconds)}) {
+    Convention columns = convention;
+    if (text[0] == '[') columns.columns = {{"t", "#1"}, {"wx", "#2"}, {"wy", "#3"}, {"wz", "#4"}};
+    EXPECT_NEAR(rows_of(text, columns)[1].t, 0.020001, 1e-17) << text;
+  }
+  // Their doubles are the same.
+  EXPECT_NEAR(
+      rows_of("t,wx,wy,wz\n1700000000000000000,1,2,3\n1700000000000000001,1,2,3\n", nanoseconds)[1]
+          .t,
+      1e-9, 1e-24);
+}
+
+TEST(RowReader, TakesRoundRatesBesideAllDigitsForExact) {
+  for (const auto& [rates, digit] :
+       {std::pair("0,20,0", 20 * 2.3e-16), std::pair("0,21.5,0", 0.1)}) {
+    RowReader reader =
+        reader_of(fmt::format("t,qw,qx,qy,qz,wx,wy,wz\n0,0.70710678118654757,0,0,0."
+                              "70710678118654746,{0}\n1,1,0,0,0,{0}\n",
+                              rates));
+    rows_of(reader);
+    EXPECT_NEAR(reader.rate_resolution().at(20), digit, 0.5 * digit) << rates;
+  }
+}
+
+TEST(RowReader, RefusesTimesAndRatesBeyondTheLimits) {
+  EXPECT_THAT(
+      refusal("t,wx,wy,wz\n0,1,2,3\n1,1,2e40,3\n"),
+      AllOf(
+          StartsWith("run.csv:3: the column 'wy': 2e+40 rad/s is beyond the limit of 1e+12 rad/s"),
+          HasSubstr("correct or remove")));
+  EXPECT_THAT(
+      refusal("t,wx,wy,wz\n-1e100,1,2,3\n1,1,2,3\n"),
+      AllOf(StartsWith("run.csv:2: the column 't': -1e+100 s is beyond the limit of 1e+20 s"),
+            HasSubstr("--time-unit")));
+  EXPECT_THAT(
+      refusal("t,wx,wy,wz\n0,1,2,3\n1e16,1,2,3\n"),
+      StartsWith(
+          "run.csv:3: the column 't': 1e+16 s after the first row is beyond the limit of 1e+15 s"));
+  EXPECT_THAT(refusal("t,wx,wy,wz\n0,1,2,3\n1e-16,1,2,3\n"),
+              StartsWith("run.csv:3: the column 't': the time 1e-16 is only 1e-16 s after that"));
+  EXPECT_THAT(refusal("t,wx,wy,wz\n0,1,2,3\n1,1e-200,0,0\n"),
+              StartsWith("run.csv:3: the rates have the magnitude 1e-200 rad/s, but must be zero"));
+  EXPECT_THAT(
+      refusal("t,yaw,pitch,roll\n0,1,2,1e300\n", with_sequence("zyx")),
+      StartsWith("run.csv:2: the column 'roll': 1e+300 rad is beyond the limit of 1e+12 rad"));
+  EXPECT_EQ(refusal("t,wx,wy,wz\n0,1e12,-1e12,0\n1e15,0,1e-90,0\n"), "no error");
+  EXPECT_EQ(refusal("time,wx,wy,wz\n1700000000000000000,1,2,3\n1700000000020000000,1,2,3\n"),
+            "no error");
 }
 
 // Quantities that are rotated in a file are rotated back: rates, matrices, and rates in space axes.

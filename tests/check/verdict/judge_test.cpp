@@ -187,7 +187,8 @@ TEST(Judge, CountsTimeFromTheFirstRow) {
   problem.omega = motion::ExactMotion(tumbling_body()).at(-5).omega;
   const Judgement told = judged(later, Parts::both, problem);
   EXPECT_LT(told.rates->max, 1e-12);
-  EXPECT_EQ(told.reference.start, 0);
+  EXPECT_EQ(told.first_time, 5);
+  EXPECT_EQ(clock_time(told, told.reference.start), 0);
   problem.omega = omega;
   for (const std::optional<double> at_five : {std::optional<double>(5), std::optional<double>()}) {
     problem.omega_time = at_five;
