@@ -51,17 +51,13 @@ bool is_round(const table::Number& number) {
   return std::abs(digits - std::nearbyint(digits)) < 1e-9;
 }
 
-/// The difference of two times that are written exactly. A whole number is without its last zeros,
-/// because a coarser clock than the unit leaves them.
-table::Number difference_of_times(double value, int decimals) {
-  table::Number number{value, 0, std::max(decimals, 0), 0};
-  if (value == 0) return number;
-  if (decimals <= 0) {
-    for (double rest = value; std::fmod(rest, 10) == 0; rest /= 10) --number.decimals;
-  }
-  const int leading = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  number.significant = std::max(leading + 1 + number.decimals, 1);
-  return number;
+/// The decimals of a difference of two times that are written exactly; negative for a whole number
+/// that ends with zeros, because a clock coarser than the unit leaves them.
+int decimals_of_difference(double difference, int decimals) {
+  if (decimals > 0 || difference == 0) return decimals;
+  int count = 0;
+  for (double rest = difference; std::fmod(rest, 10) == 0; rest /= 10) --count;
+  return count;
 }
 
 }  // namespace
@@ -162,9 +158,11 @@ void TimeDigits::add(const table::Number& number) {
   const bool is_exact = is_written_exactly(number);
   are_exact_ = are_exact_ && is_exact;
   are_round_ = are_round_ && is_round(number);
-  const bool is_long = is_exact && number.significant >= long_digits;
-  are_differences_ = are_differences_ || is_long;
-  digits_.add(is_long ? difference_of_times(since, number.decimals) : number);
+  if (is_exact && since != 0) {
+    decimals_ = std::max(decimals_, decimals_of_difference(since, number.decimals));
+  }
+  are_long_ = are_long_ || (is_exact && number.significant >= long_digits);
+  digits_.add(number);
   // The step is a difference of two rounded times.
   const double expected = step_ * static_cast<double>(count_ - 1);
   const double size =
@@ -179,10 +177,16 @@ Resolution TimeDigits::resolution(double unit) const {
   const bool is_exact = (count_ > 2 && equally_spaced_) || (count_ <= few && are_round_);
   Resolution resolution;
   resolution.unit = unit;
-  if (!is_exact) resolution = digits_.resolution(unit);
+  if (!is_exact && are_exact_ && are_long_) {
+    resolution.written = NumberFormat::decimals;
+    resolution.count = std::max(decimals_, 0);
+    resolution.absolute = unit * unit_of_place(decimals_);
+  } else if (!is_exact) {
+    resolution = digits_.resolution(unit);
+  }
   // Otherwise the spacing is that of the differences.
   const bool is_of_clock =
-      is_exact || are_differences_ ? !are_exact_ : resolution.written != NumberFormat::decimals;
+      is_exact ? !are_exact_ : resolution.written != NumberFormat::decimals;
   if (is_of_clock) resolution.offset = unit * first_.value;
   return resolution;
 }

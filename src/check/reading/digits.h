@@ -85,7 +85,8 @@ class TimeDigits {
   double step_ = 0;
   bool equally_spaced_ = true, are_round_ = true;
   bool are_exact_ = true;         ///< no number was rounded to a double
-  bool are_differences_ = false;  ///< some times have so many digits that `digits_` has differences
+  bool are_long_ = false;   ///< some have more digits than the differences need
+  int decimals_ = std::numeric_limits<int>::min();  ///< the most of a difference
 };
 
 }  // namespace twrench::check

@@ -42,13 +42,6 @@ std::string vector_text(const Eigen::Vector3d& v) {
   return fmt::format("{:.10g},{:.10g},{:.10g}", v[0], v[1], v[2]);
 }
 
-/// A time on the file's clock. A clock that counts from 1970 needs ten digits before the point.
-std::string clock_text(const Judgement& judgement, double t) {
-  constexpr double large = 1e6;
-  const double time = clock_time(judgement, t);
-  return std::abs(time) < large ? fmt::format("{:.10g} s", time) : fmt::format("{:.6f} s", time);
-}
-
 std::string start_text(const Judgement& judgement) {
   const RateScale unit = rate_scale(judgement);
   const Reference& reference = judgement.reference;

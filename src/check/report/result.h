@@ -54,6 +54,10 @@ RateScale rate_scale(const Judgement& judgement);
 /// Converts rad to degrees.
 double degrees(double angle);
 
+/// A time of a judgement on the file's clock, "1700000000.020000 s". A clock that counts from 1970
+/// needs ten digits before the point.
+std::string clock_text(const Judgement& judgement, double t);
+
 /// The kind of a verdict. Reports for programs contain the names.
 enum class Finding {
   exact,         ///< within the resolution of its digits
