@@ -36,8 +36,9 @@ double rest_of(std::uint64_t digits, int decimals, double value) {
     return list;
   }();
   if (std::abs(decimals) > 22) return 0;
-  const auto high = static_cast<double>(digits >> 32) * 0x1p32;
-  const auto low = static_cast<double>(digits & 0xFFFFFFFF);
+  const auto high = static_cast<double>(digits);
+  const auto low =
+      static_cast<double>(static_cast<std::int64_t>(digits - static_cast<std::uint64_t>(high)));
   const double power = powers[static_cast<std::size_t>(std::abs(decimals))];
   const double factor = decimals < 0 ? high : value;
   const double product = factor * power, error = std::fma(factor, power, -product);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "system/error.h"
+#include "system/file_kind.h"
 #include "table/csv_reader.h"
 #include "table/input.h"
 #include "table/json_reader.h"
@@ -17,30 +18,37 @@
 namespace twrench::table {
 namespace {
 
-using namespace std::string_view_literals;
+/// The remedy for a file of this kind.
+std::string remedy_for(std::string_view kind) {
+  struct Remedy {
+    std::string_view kind, text;
+  };
+  constexpr std::array<Remedy, 6> remedies{{
+      {"compressed by gzip", "unpack it first: gunzip -k FILE"},
+      {"compressed by bzip2", "unpack it first: bunzip2 -k FILE"},
+      {"compressed by xz", "unpack it first: unxz -k FILE"},
+      {"compressed by zstd", "unpack it first: unzstd FILE"},
+      {"a ZIP archive",
+       "it may be .npz or .xlsx: unpack the .npy from it, or save the table as CSV"},
+      {"text in UTF-16, not in UTF-8", "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"},
+  }};
+  const auto* const found = std::ranges::find(remedies, kind, &Remedy::kind);
+  return std::string(found != remedies.end() ? found->text
+                                             : "CSV, TSV, JSON and NumPy's .npy are read");
+}
 
-/// An unsupported format, and the remedy.
-struct Foreign {
-  std::string_view begins, what, remedy;
-};
-
-constexpr std::array<Foreign, 9> foreign{{
-    {"\x1F\x8B"sv, "is compressed (gzip)", "unpack it first: gunzip -k FILE"},
-    {"PK\x03\x04"sv, "is a ZIP archive, as .npz and .xlsx are",
-     "unpack the .npy from it, or save the table as CSV"},
-    {"BZh"sv, "is compressed (bzip2)", "unpack it first: bunzip2 -k FILE"},
-    {"\xFD\x37zXZ\x00"sv, "is compressed (xz)", "unpack it first: unxz -k FILE"},
-    {"\x28\xB5\x2F\xFD"sv, "is compressed (zstd)", "unpack it first: unzstd FILE"},
-    {"\x89HDF\r\n\x1A\n"sv, "is an HDF5 file", "save the table as CSV or with numpy.save"},
-    {"PAR1"sv, "is a Parquet file", "save the table as CSV or with numpy.save"},
-    {"\xFF\xFE"sv, "is UTF-16 text", "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"},
-    {"\xFE\xFF"sv, "is UTF-16 text", "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"},
-}};
+/// Whether the first line has a separator between printable characters. The bytes that identify
+/// some kinds of files may then be the name of a column, such as ID3.
+bool begins_like_table(std::string_view start) {
+  const std::string_view line = start.substr(0, start.find('\n'));
+  const auto is_printable = [](char c) { return c >= ' ' && c <= '~'; };
+  return line.find(',') != std::string_view::npos && std::ranges::all_of(line, is_printable);
+}
 
 /// Whether the text begins like rows in JSON: with an object, or with an array of objects or
 /// arrays. A CSV table may begin with a name in brackets.
 bool is_json(std::string_view text) {
-  text.remove_prefix(byte_order_mark(text));
+  text = system::without_byte_order_mark(text);
   const auto take = [&] {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     const char c = text.empty() ? '\0' : text.front();
@@ -54,15 +62,13 @@ bool is_json(std::string_view text) {
 }
 
 std::unique_ptr<Reader> open_format(Input input) {
-  std::array<char, 512> bytes{};
+  std::array<char, 4096> bytes{};
   const std::string_view start(bytes.data(), input.read(0, bytes.data(), bytes.size()));
-  if (start.empty()) throw system::FileError(input.name(), "the file is empty");
-  for (const Foreign& format : foreign) {
-    if (!start.starts_with(format.begins)) continue;
-    throw system::FileError(input.name(), fmt::format("the file {}", format.what),
-                            std::string(format.remedy));
-  }
   if (start.starts_with("\x93NUMPY")) return std::make_unique<NpyReader>(std::move(input));
+  const auto kind = system::recognized_file_kind(start);
+  if (kind && !begins_like_table(start)) {
+    throw system::FileError(input.name(), fmt::format("the file is {}", *kind), remedy_for(*kind));
+  }
   if (start.find('\0') != std::string_view::npos) {
     throw system::FileError(input.name(), "the file is binary data, or text that is not UTF-8",
                             "CSV, TSV, JSON and NumPy's .npy are read");

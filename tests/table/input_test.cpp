@@ -14,6 +14,8 @@
 namespace twrench::table {
 namespace {
 
+using namespace std::string_view_literals;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -45,11 +47,24 @@ TEST(Input, IsNothingElse) {
 }
 
 TEST(Input, SaysWhatIsNoTable) {
-  EXPECT_THAT(file_error_of("\x1F\x8B\x08"), HasSubstr("compressed (gzip)"));
+  EXPECT_THAT(file_error_of("\x1F\x8B\x08"),
+              AllOf(HasSubstr("compressed by gzip"), HasSubstr("gunzip")));
   EXPECT_THAT(file_error_of("PK\x03\x04"), HasSubstr(".npz"));
   EXPECT_THAT(file_error_of("\xFF\xFEt"), HasSubstr("iconv"));
   EXPECT_THAT(file_error_of("\xFE\xFF"), HasSubstr("UTF-16"));
   EXPECT_THAT(file_error_of(std::string_view("t\0,\0", 4)), HasSubstr("binary"));
+  for (const auto& [bytes, kind] :
+       {std::pair<std::string_view, const char*>("\xFF\xD8\xFF\xE0", "the file is a JPEG picture"),
+        {"\x89PNG\r\n\x1A\n", "a PNG picture"},
+        {"GIF89a\1", "a GIF picture"},
+        {"<!DOCTYPE html>\n<p>1,2</p>\n", "an HTML page"},
+        {"<html>\n", "an HTML page"},
+        {"%PDF-1.7\n1 2\n", "a PDF document"},
+        {"\xFD\x37zXZ\0"sv, "compressed by xz"},
+        {"", "the file is empty"}}) {
+    EXPECT_THAT(file_error_of(bytes), HasSubstr(kind));
+  }
+  EXPECT_EQ(read_table("ID3,BZh\n0,1\n").rows.size(), 1U);
   std::string wide = "a";
   for (int i = 0; i < 16384; ++i) wide += ",a";
   EXPECT_THAT(file_error_of(wide + "\n" + wide + "\n1\n"), HasSubstr("it has 16385 columns"));

@@ -118,10 +118,11 @@ TEST(RowReader, SubtractsTheFirstTimeBeforeDigitsAreLost) {
 TEST(RowReader, TakesRoundRatesBesideAllDigitsForExact) {
   for (const auto& [rates, digit] :
        {std::pair("0,20,0", 20 * 2.3e-16), std::pair("0,21.5,0", 0.1)}) {
-    RowReader reader =
-        reader_of(fmt::format("t,qw,qx,qy,qz,wx,wy,wz\n0,0.70710678118654757,0,0,0."
-                              "70710678118654746,{0}\n1,1,0,0,0,{0}\n",
-                              rates));
+    const std::string text = fmt::format(
+        "t,qw,qx,qy,qz,wx,wy,wz\n0,0.70710678118654757,0,0,0.70710678118654746,{0}\n1,1,0,0,0,{0}"
+        "\n",
+        rates);
+    RowReader reader = reader_of(text);
     rows_of(reader);
     EXPECT_NEAR(reader.rate_resolution().at(20), digit, 0.5 * digit) << rates;
   }
