@@ -9,6 +9,11 @@ struct FileError : Error {
   using Error::Error;
 };
 
+/// The reader of standard output has ended, as `head` does after its lines.
+struct ClosedPipe : FileError {
+  using FileError::FileError;
+};
+
 /// An output would overwrite a file without permission.
 struct OverwriteError : Error {
   using Error::Error;

@@ -20,7 +20,7 @@ namespace {
 std::string remedy_for(int error_number, Access access) {
   switch (error_number) {
     case ENOENT:
-      return access == Access::read ? "there is no such file: check the name"
+      return access == Access::read ? "check the name"
                                     : "create its folder first, or check the path";
     case ENOTDIR:
       return "part of the path is a file, not a folder";

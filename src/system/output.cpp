@@ -4,9 +4,19 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "system/error.h"
 #include "system/file.h"
 
 namespace twrench::system {
+namespace {
+
+[[noreturn]] void fail_to_write() {
+  const char* const what = "cannot write standard output";
+  if (errno == EPIPE) throw ClosedPipe(what, "its reader has ended");
+  throw file_error(what, errno);
+}
+
+}  // namespace
 
 Output::Output(const OutputFile& file) {
   if (file.path() != "-") file_.emplace(file.path());
@@ -21,14 +31,14 @@ void Output::write(std::string_view text) {
 void Output::finish() {
   pass_on();
   if (file_) return file_->commit();
-  if (std::fflush(stdout) != 0) throw file_error("cannot write standard output", errno);
+  if (std::fflush(stdout) != 0) fail_to_write();
 }
 
 void Output::pass_on() {
   if (file_) {
     file_->write({reinterpret_cast<const std::uint8_t*>(waiting_.data()), waiting_.size()});
   } else if (std::fwrite(waiting_.data(), 1, waiting_.size(), stdout) != waiting_.size()) {
-    throw file_error("cannot write standard output", errno);
+    fail_to_write();
   }
   waiting_.clear();
 }

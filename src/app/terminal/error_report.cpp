@@ -141,6 +141,8 @@ ExitCode exit_code_of(const Error& error) {
 }
 
 ExitCode report(const Error& error) {
+  // As other programs in a pipe, it ends in silence.
+  if (is<system::ClosedPipe>(error)) return ExitCode::closed_pipe;
   return report(exit_code_of(error), error.what(), remedy_for(error));
 }
 

@@ -11,6 +11,7 @@ enum class ExitCode : int {
   encoder = 4,        ///< ffmpeg, or gnuplot for a figure, is missing, or it failed
   file = 5,           ///< a file could not be read or written
   internal = 70,      ///< a bug
+  closed_pipe = 141,  ///< the reader of standard output has ended, as `head` does
   interrupted = 130,  ///< by SIGINT; all files written are complete
   terminated = 143,   ///< by SIGTERM; likewise
 };
