@@ -65,7 +65,9 @@ void check_shown_motion(const Scene& film) {
 
 void require_rigid(const Scene& scene, const std::string& what) {
   if (scene.motion.is_rigid()) return;
-  throw InvalidArgument(scene.motion.wheel ? "wheel" : "energy_loss_time",
+  const bool has_both = scene.motion.wheel && scene.motion.energy_loss_time;
+  const char* const one = scene.motion.wheel ? "wheel" : "energy_loss_time";
+  throw InvalidArgument(has_both ? "energy_loss_time and wheel" : one,
                         what + " needs the closed form of a rigid body's motion",
                         "use a rigid body; simulate computes the motion of any body");
 }

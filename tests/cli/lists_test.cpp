@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -21,6 +22,24 @@ TEST(Lists, MethodsOneALine) {
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.out, StartsWith("euler "));
   EXPECT_THAT(run.out, HasSubstr("\nrkf45 "));
+}
+
+TEST(Lists, NoCaseHasAnEmptyName) {
+  const ScratchFolder folder;
+  const Outcome run = run_twrench(folder, "cases ''");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+}
+
+// As other programs, it ends in silence when `head` has enough.
+TEST(Lists, EndWithTheirReader) {
+  const ScratchFolder folder;
+  const Outcome run = run_shell(
+      folder, "{ \"$TWRENCH\" simulate --fps 1000 --method exact; echo $? >code; } | true");
+  EXPECT_EQ(run.err, "");
+  std::string code;
+  std::ifstream(folder / "code") >> code;
+  EXPECT_EQ(code, "141");
 }
 
 TEST(Lists, ScenesOneALine) {

@@ -41,14 +41,13 @@ void add_cases(CLI::App& app) {
       "The CSV of one case is a table that twrench check --case reads.");
   const auto options = std::make_shared<CasesOptions>(*command);
   command->add_option("NAME", options->name, "name of a case; without it, all are listed");
-  command->callback([options] {
+  command->callback([options, command] {
+    const bool lists = command->count("NAME") == 0;
     system::FileList files = options->output.files();
-    const system::OutputFile file = options->name.empty()
-                                        ? options->output.add_to(files)
-                                        : options->output.add_to(files, system::case_output);
+    const system::OutputFile file =
+        lists ? options->output.add_to(files) : options->output.add_to(files, system::case_output);
     const std::string_view format = file.format().name;
-    system::write_output(
-        file, options->name.empty() ? list_of_cases(format) : single_case(options->name, format));
+    system::write_output(file, lists ? list_of_cases(format) : single_case(options->name, format));
   });
 }
 
