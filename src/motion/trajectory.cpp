@@ -11,10 +11,40 @@
 namespace twrench::motion {
 namespace {
 
-/// Throws if the fixed steps to t_end, s, exceed the limit, before the first step is taken. The
-/// limit also applies to the steps of the closed form.
-void require_possible(const Method& method, const StepControl& control, double t_end) {
-  if (method.adaptive()) return;
+/// Returns about how many steps of its own length the method takes to t_end, s, by its first ones;
+/// 0 if they reach it.
+double estimated_steps(const FreeBody& body, const Method& method, const StepControl& control,
+                       double t_end) {
+  constexpr int first_steps = 1024;
+  const auto propagator = make_propagator(body, method, control);
+  for (int i = 0; i < first_steps; ++i) {
+    propagator->next_step();
+    if (propagator->t() >= t_end) return 0;
+  }
+  return first_steps * (t_end / propagator->t());
+}
+
+/// Throws if the steps that a method chooses would exceed the limit by far, instead of after
+/// minutes. Motions without many turns are not tried.
+void require_few_own_steps(const FreeBody& body, const Method& method, const StepControl& control,
+                           double t_end) {
+  const auto most = static_cast<double>(control.max_steps);
+  constexpr double turns_per_step = 1e-3;
+  if (!(std::abs(t_end) * body.fastest_rate() > turns_per_step * most)) return;
+  constexpr double by_far = 2;  // later steps may be longer
+  const double steps = estimated_steps(body, method, control, std::abs(t_end));
+  if (!(steps > by_far * most)) return;
+  throw MotionError(fmt::format("method {}", method.name),
+                    fmt::format("about {:.2g} steps to t = {} s are more than {}", steps, t_end,
+                                control.max_steps),
+                    MotionError::Reason::out_of_steps);
+}
+
+/// Throws if the steps to t_end, s, exceed the limit, before the first step is taken. The limit
+/// also applies to the steps of the closed form.
+void require_possible(const FreeBody& body, const Method& method, const StepControl& control,
+                      double t_end) {
+  if (method.adaptive()) return require_few_own_steps(body, method, control, t_end);
   const double steps = std::abs(t_end) / control.step;
   if (!(steps > static_cast<double>(control.max_steps))) return;
   throw MotionError(fmt::format("method {}", method.name),
@@ -41,7 +71,7 @@ Trajectory integrate(const FreeBody& body, const Method& method, const StepContr
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::abs(times[i]); });
-  if (!order.empty()) require_possible(method, control, times[order.back()]);
+  if (!order.empty()) require_possible(body, method, control, times[order.back()]);
   const auto backward = make_propagator(body, method, control, Direction::backward);
   Trajectory result;
   result.samples.resize(times.size());
@@ -60,7 +90,7 @@ void visit_samples(const FreeBody& body, const Method& method, const StepControl
   if (!visit) throw InvalidArgument("visit", "is empty");
   const auto propagator = make_propagator(body, method, control);
   if (count > 0 && !method.exact()) {
-    require_possible(method, control, require_not_negative("time", time(count - 1)));
+    require_possible(body, method, control, require_not_negative("time", time(count - 1)));
   }
   // A stepping method delivers each sample before it continues, because a later step may fail.
   const std::size_t together = method.exact() ? 4096 : 1;
@@ -81,7 +111,7 @@ void visit_steps(const FreeBody& body, const Method& method, const StepControl& 
   require_not_negative("t_end", t_end);
   if (!visit) throw InvalidArgument("visit", "is empty");
   const auto propagator = make_propagator(body, method, control);
-  require_possible(method, control, t_end);
+  require_possible(body, method, control, t_end);
   while (propagator->t() < t_end) visit(propagator->next_step());
 }
 

@@ -237,6 +237,24 @@ TEST(Trajectory, EndsWhenTheStepsRunOut) {
   EXPECT_NO_THROW(integrate(c.body, find_method("rk4"), enough, times));
 }
 
+// A needle turns slowly, but its nutation takes 1e-12 s.
+TEST(Trajectory, EstimatesTheStepsThatAMethodChooses) {
+  const FreeBody needle(Eigen::Vector3d(1e-12, 1, 1).asDiagonal(), Eigen::Vector3d(1, 2, 3));
+  const FreeBody body(Eigen::Vector3d(2, 3, 4).asDiagonal(), Eigen::Vector3d(1, 2, 3));
+  const std::vector<double> minute{60}, ages{0, -1e15};
+  EXPECT_EQ(reason([&] { integrate(needle, find_method("taylor"), {}, minute); }),
+            MotionError::Reason::out_of_steps);
+  EXPECT_EQ(reason([&] { visit_steps(needle, find_method("taylor"), {}, 60, [](auto&) {}); }),
+            MotionError::Reason::out_of_steps);
+  for (const char* name : {"taylor", "rkmk45", "rkf45"}) {
+    EXPECT_EQ(reason([&] { integrate(body, find_method(name), {}, ages); }),
+              MotionError::Reason::out_of_steps)
+        << name;
+  }
+  EXPECT_NO_THROW(integrate(body, find_method("exact"), {}, ages));
+  EXPECT_NO_THROW(integrate(body, find_method("taylor"), {.max_steps = 1000}, minute));
+}
+
 // The error must come before the first step, because so many steps would take minutes.
 TEST(Trajectory, RefusesMoreFixedStepsThanAllowedAtOnce) {
   const ReferenceCase c = reference_case("wrench-a");
