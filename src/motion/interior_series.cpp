@@ -1,6 +1,7 @@
 #include "motion/interior_series.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -66,7 +67,7 @@ Four product(const LeftFactor& q, const Four& xyzz, const Turned& v) {
 
 }  // namespace
 
-void InteriorSeries::expand(const State& state) {
+void InteriorSeries::expand(const State& state, double longest) {
   start_ = state;
   std::array<Turned, max_taylor_order + 1> m, w, omega;
   std::array<Four, max_taylor_order + 1> xyzz;  // of omega
@@ -74,6 +75,8 @@ void InteriorSeries::expand(const State& state) {
   Vector3d momentum = state.X.transpose() * body_.momentum() / momentum_unit_;
   Vector3d rate = inverse_ * (momentum - body_.interior().wheel / momentum_unit_);
   q_[0] = {1, Vector3d::Zero()};
+  const double reach = std::abs(longest) / time_unit_;
+  double power = 1, before = 1;  // before: the contribution of the previous term
   for (std::size_t k = 0;; ++k) {
     m[k] = turned(momentum);
     w[k] = turned(rate);
@@ -90,7 +93,12 @@ void InteriorSeries::expand(const State& state) {
     }
     const double next = static_cast<double>(k) + 1;
     q_[k + 1] = {0.5 / next * turn[3], 0.5 / next * turn.head<3>().matrix()};
-    if (k + 1 == order_) break;
+    last_order_ = k + 1;
+    power *= reach;
+    const double contribution = power * (std::abs(q_[k + 1].w) + q_[k + 1].v.lpNorm<1>());
+    constexpr double negligible = 1e-19;  // beside 1
+    if (last_order_ == order_ || std::max(before, contribution) < negligible) break;
+    before = contribution;
     momentum = change.head<3>().matrix() / next;
     rate = inverse_ * momentum;
   }
@@ -98,13 +106,13 @@ void InteriorSeries::expand(const State& state) {
   const auto term = [&](std::size_t k) {
     return 2 * std::numbers::sqrt2 * std::hypot(q_[k].w, q_[k].v.stableNorm());
   };
-  last_ = {order_, term(order_ - 1), term(order_)};
+  last_ = {last_order_, term(last_order_ - 1), term(last_order_)};
 }
 
 InteriorSeries::State InteriorSeries::at(double h) const {
   const double s = h / time_unit_;
-  Quaternion q = q_[order_];
-  for (std::size_t k = order_; k > 0; --k) {
+  Quaternion q = q_[last_order_];
+  for (std::size_t k = last_order_; k > 0; --k) {
     q.w = q.w * s + q_[k - 1].w;
     q.v = q.v * s + q_[k - 1].v;
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 
 #include "motion/scheme.h"
 #include "motion/series_steps.h"
@@ -29,8 +30,9 @@ class InteriorSeries {
   State state_of(const Eigen::Matrix3d& X, const Eigen::Vector3d& momentum) const;
   /// Returns the sample of a state at the time t in s.
   Sample sample(double t, const State& state) const;
-  /// Moves the expansion point.
-  void expand(const State& state);
+  /// Moves the expansion point. The last terms that contribute less than round-off within `longest`
+  /// s are left out.
+  void expand(const State& state, double longest = std::numeric_limits<double>::infinity());
   /// Returns the state h seconds after the expansion point.
   State at(double h) const;
   /// Returns the larger of the contributions of the last two orders to X after h seconds, in the
@@ -54,6 +56,7 @@ class InteriorSeries {
   State start_;
   std::array<Quaternion, max_taylor_order + 1> q_;  ///< Coefficients.
   LastTerms last_{};
+  std::size_t last_order_ = 0;  ///< Of the terms that are kept.
 };
 
 }  // namespace twrench::motion

@@ -159,7 +159,11 @@ Step step(const FreeBody& body, const StrangSplitting&, const Matrix3d& X, doubl
 template <class Series>
 Step step(Series series, const Vector3d& momentum, const Taylor& method, const Matrix3d& X,
           double h) {
-  series.expand(series.state_of(X, momentum));
+  if constexpr (requires { series.expand(series.state_of(X, momentum), h); }) {
+    series.expand(series.state_of(X, momentum), h);
+  } else {
+    series.expand(series.state_of(X, momentum));
+  }
   return {series.sample(h, series.at(h)).X, series.last_terms(h), method.order};
 }
 

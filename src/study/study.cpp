@@ -9,7 +9,10 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <memory>
+#include <mutex>
 
+#include "base/parallel.h"
 #include "base/require.h"
 #include "motion/reference_motion.h"
 #include "study/ladder.h"
@@ -55,7 +58,11 @@ bool has_flips(const Study& study) {
 class EnergyErrors {
  public:
   EnergyErrors(const motion::FreeBody& body, double duration, StudyRun& run)
-      : body_(body), duration_(duration), run_(run) {
+      : body_(body),
+        duration_(duration),
+        run_(run),
+        reference_(motion::make_propagator(body, motion::reference_method(body),
+                                           motion::reference_control())) {
     run.drift_in_time.assign(time_parts, 0.0);
   }
 
@@ -70,7 +77,7 @@ class EnergyErrors {
   /// Subtracts the changes of the reference from those added since the last call.
   void compare() {
     const double initial_energy = motion::energy(body_.inertia(), body_.omega());
-    const std::vector<motion::Sample> samples = reference_at(body_, times_);
+    const std::vector<motion::Sample> samples = reference_->samples_at(times_);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const motion::Diagnostics d = motion::diagnose(body_, initial_energy, samples[i]);
       record(times_[i], changes_[i] - d.energy_drift);
@@ -92,6 +99,7 @@ class EnergyErrors {
   const motion::FreeBody& body_;
   double duration_;
   StudyRun& run_;
+  std::unique_ptr<motion::Propagator> reference_;
   std::vector<double> times_, changes_;
 };
 
@@ -124,29 +132,71 @@ void measure_steps(const motion::FreeBody& body, const motion::Method& method,
   run.estimate = estimate.quality();
 }
 
-/// `reference` has the samples of the reference at the early time and at the end.
-StudyRun run_one(const motion::FreeBody& body, const motion::Method& method,
-                 const motion::StepControl& control, const Study& study,
-                 const std::vector<motion::Sample>& reference) {
-  StudyRun run;
-  run.step = control.step;
-  if (method.adaptive()) run.tolerance = control.tolerance;
+/// A run of a method, and what it needs.
+struct PlannedRun {
+  const motion::Method* method;
+  motion::StepControl control;
+  StudyRun* result;
+};
+
+/// Does the work, or records why the method failed.
+template <typename Work>
+void record_failure(StudyRun& run, const Work& work) {
+  if (!run.failure.empty()) return;
   try {
-    const std::array<double, 1> early{study.early}, end{study.duration};
-    motion::Trajectory result;
-    run.cpu_seconds = cpu_seconds([&] { result = motion::integrate(body, method, control, end); });
-    const motion::Sample sample = motion::integrate(body, method, control, early).samples[0];
-    run.early_error = (sample.X - reference[0].X).norm();
-    run.error = (result.samples[0].X - reference[1].X).norm();
-    run.steps = result.steps;
-    run.evaluations = result.evaluations;
-    measure_steps(body, method, control, study, run);
+    work();
   } catch (const motion::MotionError& error) {
     if (error.reason() == motion::MotionError::Reason::stopped) throw;
     run.failure = error.what();
     run.failure_reason = error.reason();
   }
-  return run;
+}
+
+/// Sets the cost of a run and its errors at the early time and at the end, for which `reference`
+/// has the samples.
+void measure_ends(const motion::FreeBody& body, const PlannedRun& planned, const Study& study,
+                  const std::vector<motion::Sample>& reference) {
+  StudyRun& run = *planned.result;
+  run.step = planned.control.step;
+  if (planned.method->adaptive()) run.tolerance = planned.control.tolerance;
+  record_failure(run, [&] {
+    const std::array<double, 1> early{study.early}, end{study.duration};
+    motion::Trajectory path;
+    run.cpu_seconds =
+        cpu_seconds([&] { path = motion::integrate(body, *planned.method, planned.control, end); });
+    const motion::Sample sample =
+        motion::integrate(body, *planned.method, planned.control, early).samples[0];
+    run.early_error = (sample.X - reference[0].X).norm();
+    run.error = (path.samples[0].X - reference[1].X).norm();
+    run.steps = path.steps;
+    run.evaluations = path.evaluations;
+  });
+}
+
+/// Carries out the runs, and reports each half of one to the plan. The processor time is measured
+/// first, while nothing else runs.
+void carry_out(const motion::FreeBody& body, const std::vector<PlannedRun>& runs,
+               const StudyPlan& plan, const Study& study,
+               const std::vector<motion::Sample>& reference) {
+  std::mutex mutex;
+  std::size_t done = 0;
+  const auto count = [&] {
+    const std::lock_guard lock(mutex);
+    ++done;
+    if (plan.progress) plan.progress(done, 2 * runs.size());
+  };
+  for (const PlannedRun& run : runs) {
+    measure_ends(body, run, study, reference);
+    count();
+  }
+  for_each_part(runs.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      record_failure(*runs[i].result, [&] {
+        measure_steps(body, *runs[i].method, runs[i].control, study, *runs[i].result);
+      });
+      count();
+    }
+  });
 }
 
 /// Returns the order, from the errors above round-off and within the asymptotic range.
@@ -210,16 +260,23 @@ Study run_study(const motion::FreeBody& body, const StudyPlan& plan) {
   const std::vector<motion::Sample> reference =
       reference_at(body, std::array{result.early, result.duration});
   if (has_flips(result)) result.flip_times = reference_flip_times(body, plan.duration);
+  std::vector<std::vector<motion::StepControl>> controls;
   for (const motion::Method* method : plan.methods) {
-    MethodStudy of_method{method, {}, {}, {}};
-    for (const motion::StepControl& control : controls_for(*method, plan)) {
-      of_method.runs.push_back(run_one(body, *method, control, result, reference));
+    controls.push_back(controls_for(*method, plan));
+    result.methods.push_back({method, std::vector<StudyRun>(controls.back().size()), {}, {}});
+  }
+  std::vector<PlannedRun> runs;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    for (std::size_t k = 0; k < controls[i].size(); ++k) {
+      runs.push_back({plan.methods[i], controls[i][k], &result.methods[i].runs[k]});
     }
-    if (method->order.value_or(steepest + 1) <= steepest) {
+  }
+  carry_out(body, runs, plan, result, reference);
+  for (MethodStudy& of_method : result.methods) {
+    if (of_method.method->order.value_or(steepest + 1) <= steepest) {
       of_method.order = order_of(of_method.runs);
     }
     of_method.estimate_exponent = estimate_exponent_of(of_method.runs);
-    result.methods.push_back(std::move(of_method));
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <twrench/study/study.h>
 
 #include <cmath>
+#include <vector>
 
 #include "motion/reference.h"
 #include "sanitizers.h"
@@ -51,6 +52,18 @@ TEST(Study, ErrorIsThatAgainstTheReference) {
   EXPECT_EQ(run.evaluations, 2000);
   EXPECT_EQ(run.step, 0.05);
   EXPECT_GT(run.cpu_seconds, 0);
+}
+
+TEST(Study, ReportsItsProgress) {
+  StudyPlan plan = plan_for({"midpoint", "rk4"}, 20);
+  plan.steps = {0.1, 0.05};
+  std::vector<std::size_t> parts;
+  plan.progress = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 8U);
+    parts.push_back(done);
+  };
+  run_study(wrench(), plan);
+  EXPECT_EQ(parts, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
 TEST(Study, TellsWhatAMethodConserves) {

@@ -6,7 +6,9 @@
 #include <twrench/study/estimate.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +31,9 @@ struct StudyPlan {
   std::int64_t max_steps = motion::StepControl{}.max_steps;
   /// As in StepControl.
   const std::atomic<bool>* stop = nullptr;
+  /// If not empty, called with the parts of the work that are done and with their total, from one
+  /// thread at a time.
+  std::function<void(std::size_t done, std::size_t total)> progress = {};
 };
 
 /// One run of a method, compared with the reference.

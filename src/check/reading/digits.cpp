@@ -185,8 +185,7 @@ Resolution TimeDigits::resolution(double unit) const {
     resolution = digits_.resolution(unit);
   }
   // Otherwise the spacing is that of the differences.
-  const bool is_of_clock =
-      is_exact ? !are_exact_ : resolution.written != NumberFormat::decimals;
+  const bool is_of_clock = is_exact ? !are_exact_ : resolution.written != NumberFormat::decimals;
   if (is_of_clock) resolution.offset = unit * first_.value;
   return resolution;
 }

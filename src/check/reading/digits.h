@@ -84,8 +84,8 @@ class TimeDigits {
   table::Number first_;
   double step_ = 0;
   bool equally_spaced_ = true, are_round_ = true;
-  bool are_exact_ = true;         ///< no number was rounded to a double
-  bool are_long_ = false;   ///< some have more digits than the differences need
+  bool are_exact_ = true;  ///< no number was rounded to a double
+  bool are_long_ = false;  ///< some have more digits than the differences need
   int decimals_ = std::numeric_limits<int>::min();  ///< the most of a difference
 };
 
