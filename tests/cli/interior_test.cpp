@@ -282,7 +282,7 @@ TEST(Interior, AWheelOfAnySpeedIsExportedOrRefused) {
   const ScratchFolder folder;
   const Outcome run = run_twrench(folder, "export t-handle --wheel 1e12,0,0 -o a.glb");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("method taylor: more than 2000000 steps at t = "));
+  EXPECT_THAT(run.err, HasSubstr("method taylor: about "));
   EXPECT_THAT(run.err, HasSubstr("take a shorter --duration"));
   EXPECT_FALSE(exists(folder / "a.glb"));
 }

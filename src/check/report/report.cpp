@@ -46,7 +46,7 @@ std::string start_text(const Judgement& judgement) {
   const RateScale unit = rate_scale(judgement);
   const Reference& reference = judgement.reference;
   const std::string rates = vector_text(reference.body.omega() * unit.per_radian);
-  std::string text = fmt::format("omega {} {} at t = {}", rates, unit.symbol,
+  std::string text = fmt::format("omega {} {} at t = {} s", rates, unit.symbol,
                                  clock_text(judgement, reference.start));
   if (!judgement.fit) return text;
   const Fit& fit = *judgement.fit;
@@ -66,7 +66,7 @@ std::string start_text(const Judgement& judgement) {
 std::string size_text(const Judgement& judgement, const std::optional<ErrorSize>& size,
                       double factor, const char* unit) {
   if (!size) return {};
-  return fmt::format("{:.3g} {} at {}, rms {:.3g} {}", size->max * factor, unit,
+  return fmt::format("{:.3g} {} at {} s, rms {:.3g} {}", size->max * factor, unit,
                      clock_text(judgement, size->at), size->rms * factor, unit);
 }
 
@@ -79,7 +79,7 @@ std::string phase_text(const Judgement& judgement) {
   const ErrorParts& parts = *judgement.parts;
   const RateScale unit = rate_scale(judgement);
   std::string text = fmt::format(
-      "{:.3g} s {} at {}, {:.3g} {}", std::abs(parts.delay), parts.delay < 0 ? "early" : "late",
+      "{:.3g} s {} at {} s, {:.3g} {}", std::abs(parts.delay), parts.delay < 0 ? "early" : "late",
       clock_text(judgement, parts.delay_at), parts.phase_rate * unit.per_radian, unit.symbol);
   if (judgement.has_attitude) {
     text += fmt::format("; about L {:.3g} deg", degrees(parts.angle_about_l));
@@ -201,7 +201,7 @@ std::string bounds_text(const CheckedFile& file) {
 std::string file_text(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   const RateScale unit = rate_scale(judgement);
-  return fmt::format("{}: {} rows, {} to {}\n", text::escape(file.name), judgement.rows,
+  return fmt::format("{}: {} rows, {} to {} s\n", text::escape(file.name), judgement.rows,
                      clock_text(judgement, 0), clock_text(judgement, judgement.duration)) +
          line("read as", text::escape(reading_text(judgement.convention))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +

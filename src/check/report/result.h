@@ -54,8 +54,8 @@ RateScale rate_scale(const Judgement& judgement);
 /// Converts rad to degrees.
 double degrees(double angle);
 
-/// A time of a judgement on the file's clock, "1700000000.020000 s". A clock that counts from 1970
-/// needs ten digits before the point.
+/// A time of a judgement on the file's clock, "1700000000.020000", in s. A clock that counts from
+/// 1970 needs ten digits before the point.
 std::string clock_text(const Judgement& judgement, double t);
 
 /// The kind of a verdict. Reports for programs contain the names.

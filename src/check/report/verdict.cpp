@@ -139,11 +139,11 @@ std::string sizes_text(const Judgement& judgement) {
   std::vector<std::string> sizes;
   if (judgement.rates) {
     const RateScale unit = rate_scale(judgement);
-    sizes.push_back(fmt::format("{:.3g} {} at {}", judgement.rates->max * unit.per_radian,
+    sizes.push_back(fmt::format("{:.3g} {} at {} s", judgement.rates->max * unit.per_radian,
                                 unit.symbol, clock_text(judgement, judgement.rates->at)));
   }
   if (judgement.attitude && !judgement.attitude_contradicts_rates) {
-    sizes.push_back(fmt::format("{:.3g} deg at {}", degrees(judgement.attitude->max),
+    sizes.push_back(fmt::format("{:.3g} deg at {} s", degrees(judgement.attitude->max),
                                 clock_text(judgement, judgement.attitude->at)));
   }
   return joined(sizes, " and ");
@@ -177,7 +177,7 @@ std::string beginning_text(const CheckedFile& file) {
   if (file.other_start) {
     const Reference& reference = file.other_start->reference;
     const Eigen::Vector3d omega = reference.body.omega() * unit.per_radian;
-    fitted = fmt::format("; --fit finds {:.6g},{:.6g},{:.6g} {} at {}", omega[0], omega[1],
+    fitted = fmt::format("; --fit finds {:.6g},{:.6g},{:.6g} {} at {} s", omega[0], omega[1],
                          omega[2], unit.symbol, clock_text(judgement, reference.start));
   }
   return fmt::format(
@@ -313,7 +313,7 @@ bool passes(const CheckedFile& file) {
 std::string clock_text(const Judgement& judgement, double t) {
   constexpr double large = 1e6;
   const double time = clock_time(judgement, t);
-  return std::abs(time) < large ? fmt::format("{:.10g} s", time) : fmt::format("{:.6f} s", time);
+  return std::abs(time) < large ? fmt::format("{:.10g}", time) : fmt::format("{:.6f}", time);
 }
 
 std::string change_text(const char* format, double change) {
