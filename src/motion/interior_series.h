@@ -56,7 +56,7 @@ class InteriorSeries {
   State start_;
   std::array<Quaternion, max_taylor_order + 1> q_;  ///< Coefficients.
   LastTerms last_{};
-  std::size_t last_order_ = 0;  ///< Of the terms that are kept.
+  std::size_t last_order_ = 0;  ///< The order of the last term kept.
 };
 
 }  // namespace twrench::motion

@@ -11,7 +11,7 @@
 namespace twrench::motion {
 namespace {
 
-/// Returns about how many steps of its own length the method takes to t_end, s, by its first ones;
+/// Extrapolates the number of steps to t_end, in s, from the first steps that the method chooses;
 /// 0 if they reach it.
 double estimated_steps(const FreeBody& body, const Method& method, const StepControl& control,
                        double t_end) {

@@ -152,8 +152,8 @@ void record_failure(StudyRun& run, const Work& work) {
   }
 }
 
-/// Sets the cost of a run and its errors at the early time and at the end, for which `reference`
-/// has the samples.
+/// Sets the cost of a run and its errors at the early time and at the end. `reference`
+/// has the samples at these times.
 void measure_ends(const motion::FreeBody& body, const PlannedRun& planned, const Study& study,
                   const std::vector<motion::Sample>& reference) {
   StudyRun& run = *planned.result;

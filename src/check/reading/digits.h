@@ -75,7 +75,7 @@ class TimeDigits {
   void add(const table::Number& number);
 
   /// Returns the resolution of doubles if the times are equally spaced in all their digits, or a
-  /// few round numbers such as 0, 10 and 25, which nobody rounds.
+  /// few round numbers such as 0, 10 and 25, which are rarely the result of rounding.
   Resolution resolution(double unit) const;
 
  private:
