@@ -176,15 +176,22 @@ function timesOf({ from, length }, fps) {
   return times[times.length - 1] < from + length ? [...times, from + length] : times;
 }
 
-/** A number with 17 digits, as printf's %.17g writes it. @param {number} x */
-export function digits17(x) {
+/**
+ * The fewest digits that read back as the number, in the shorter of both notations, as
+ * std::to_chars writes it.
+ * @param {number} x
+ */
+export function shortestDigits(x) {
   if (x === 0) return Object.is(x, -0) ? '-0' : '0';
-  const [digits, power] = x.toExponential(16).split('e'),
+  const [mantissa, power] = Math.abs(x).toExponential().split('e'),
     exponent = Number(power);
-  const withoutZeros = (/** @type {string} */ text) =>
-    text.includes('.') ? text.replace(/\.?0+$/, '') : text;
-  if (exponent >= -4 && exponent < 17) return withoutZeros(x.toFixed(16 - exponent));
-  return `${withoutZeros(digits)}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
+  const digits = mantissa.replace('.', '');
+  const scientific = `${mantissa}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
+  const whole = exponent + 1; // the digits before the point
+  let fixed = `0.${'0'.repeat(Math.max(-whole, 0))}${digits}`;
+  if (whole >= digits.length) fixed = BigInt(Math.abs(x)).toString();
+  else if (whole > 0) fixed = `${digits.slice(0, whole)}.${digits.slice(whole)}`;
+  return (x < 0 ? '-' : '') + (fixed.length <= scientific.length ? fixed : scientific);
 }
 
 /**
@@ -203,7 +210,7 @@ export function csv(state, model, fps) {
   const columns = [found.energy, ...drifts, found.orthogonalityError, found.momentumError];
   t.forEach((time, i) => {
     const motion = [time, ...X.subarray(9 * i, 9 * i + 9), ...omega.subarray(3 * i, 3 * i + 3)];
-    lines.push([...motion, ...columns.map((column) => column[i])].map(digits17).join(','));
+    lines.push([...motion, ...columns.map((column) => column[i])].map(shortestDigits).join(','));
   });
   return lines.join('\n') + '\n';
 }
