@@ -61,7 +61,7 @@ std::string remedy_of(const Error& error) {
   if (dynamic_cast<const film::ThreadError*>(&error)) {
     return "use fewer jobs, or raise the limit on processes";
   }
-  if (dynamic_cast<const system::ExistingFileError*>(&error)) {
+  if (dynamic_cast<const system::OverwriteError*>(&error)) {
     return "pass overwrite=True to replace it, or choose another path";
   }
   return {};

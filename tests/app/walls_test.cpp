@@ -22,7 +22,8 @@ constexpr std::array foreign{"\"--default-settings\""};  // gnuplot's, without a
 /// (python/twrench/errors.py).
 constexpr std::array shared{"src/check/report/",          "src/comparison/request.cpp",
                             "src/interchange/export.cpp", "src/interchange/samples.cpp",
-                            "src/page/page_html.cpp",     "src/report/command_lines.cpp"};
+                            "src/page/page_html.cpp",     "src/report/command_lines.cpp",
+                            "src/system/output_kind.cpp"};
 
 bool is_shared(const std::string& file) {
   return std::ranges::any_of(shared, [&](const char* name) { return file.starts_with(name); });

@@ -164,7 +164,7 @@ TEST(AnimatedImages, AreDrawnSmall) {
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_FALSE(fs::exists(folder / "out")) << "no frames unless asked for";
     EXPECT_EQ(run_twrench(folder, "render --frames 100-101 --bare --progress none -o " + name).code,
-              2)
+              5)
         << "another film";
     ASSERT_EQ(run_twrench(folder,
                           "render --frames 100-105 --bare --progress none --frames-dir f "

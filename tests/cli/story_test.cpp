@@ -113,7 +113,7 @@ TEST_F(Story, KeepsTheTimesOfAPartsCaptions) {
 TEST_F(Story, ReplacesNoCaptionsOfSomethingElse) {
   system::write_file_atomically(folder / "film.vtt", "WEBVTT\n\nof another film");
   const Outcome refused = render("--no-frames -o film.mp4");
-  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.code, 5);
   EXPECT_THAT(refused.err, HasSubstr("film.vtt"));
   EXPECT_FALSE(fs::exists(folder / "film.mp4"));
   EXPECT_EQ(render("--no-frames -o film.mp4 --overwrite").code, 0);

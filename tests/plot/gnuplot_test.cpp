@@ -143,7 +143,7 @@ TEST(Gnuplot, ThatIsKilledIsNotABuildThatLacksAFormat) {
   const ScratchFolder scratch;
   const StubGnuplot stub(scratch, "kill -KILL $$\n");
   try {
-    require_gnuplot("a.svg");
+    require_gnuplot(system::plot_output.formats.front());
     FAIL();
   } catch (const PlotError& error) {
     EXPECT_THAT(error.what(), HasSubstr("gnuplot ended with exit status 137"));

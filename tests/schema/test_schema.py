@@ -243,6 +243,6 @@ def test_the_copy_beside_the_scenes_is_current(schema):
 
 def test_it_is_written_to_a_file(schema, tmp_path):
     (tmp_path / "it.json").write_text("old")
-    assert run("schema", "-o", "it.json", folder=tmp_path).returncode == 0
+    assert run("schema", "-o", "it.json", "--overwrite", folder=tmp_path).returncode == 0
     assert json.loads((tmp_path / "it.json").read_text()) == schema
     assert [file.name for file in tmp_path.iterdir()] == ["it.json"]

@@ -42,7 +42,7 @@ std::string section(const std::string& title, const std::vector<Option>& options
   return text;
 }
 
-constexpr std::size_t most_options = 22;
+constexpr std::size_t most_options = 24;
 
 bool is_long(const Command& command) { return command.options.size() > most_options; }
 
@@ -161,8 +161,11 @@ void add_help_all(CLI::App& app) {
   app.get_option("--help")->group(heading(OptionGroup::run));
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->get_option("--help")->group(heading(OptionGroup::run));
-    command->set_help_all_flag("--help-all", "Print this help with all options, and exit")
-        ->group(heading(OptionGroup::run));
+    CLI::Option* const flag =
+        is_long(read_command(*command))
+            ? command->set_help_all_flag("--help-all", "Print this help with all options, and exit")
+            : command->set_help_flag("-h,--help,--help-all", "Print this help and exit");
+    flag->group(heading(OptionGroup::run));
   }
 }
 

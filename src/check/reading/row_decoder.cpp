@@ -121,7 +121,7 @@ void RowDecoder::require_within_limits(std::span<const table::Number> numbers,
                                       unit.substr(0, unit.find(' '))),
                           remedy);
   };
-  const char* const remedy_for_time = "correct the row, or state the unit: --time-unit";
+  const char* const remedy_for_time = "correct the row, or state the unit of the times";
   require(0, second_ * numbers[0].value, most_on_clock, "s", remedy_for_time);
   require(0, row.t, longest, "s after the first row", remedy_for_time);
   const std::size_t rates = rates_in(numbers).size();

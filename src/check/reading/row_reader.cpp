@@ -47,7 +47,7 @@ void RowReader::State::require_later(const Row& row) const {
             "the time {} is only {:.3g} s after that of the row before, but at least {:g} s "
             "are needed",
             t, row.t - last_time, least),
-        "correct the row, or state the unit: --time-unit");
+        "correct the row, or state the unit of the times");
   }
   throw table::BadTable(
       table::cell_place(reader->place(), reader->header().names[decoder.columns().front()]),

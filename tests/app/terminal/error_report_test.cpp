@@ -98,7 +98,7 @@ TEST(ErrorReport, OtherRemediesThatTakeAnOptionNameIt) {
   EXPECT_EQ(remedy_for(video::FilmSizeError("a", "b", 642, 482)),
             "use --size 642x482, or --no-video for the frames alone");
   EXPECT_THAT(remedy_for(canvas::MissingGlyph("title", "b", U'x')), HasSubstr("--font FILE"));
-  EXPECT_THAT(remedy_for(system::OverwriteError("v.mp4", "b")),
+  EXPECT_THAT(remedy_for(system::ExistingFileError("v.mp4", "b")),
               HasSubstr("--overwrite replaces it"));
   EXPECT_EQ(remedy_for(system::OverwriteError("v.mp4", "b", "rename it")), "rename it");
   EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "wz", "b", "its columns are: t, p")),

@@ -137,7 +137,7 @@ TEST(RowReader, RefusesTimesAndRatesBeyondTheLimits) {
   EXPECT_THAT(
       refusal("t,wx,wy,wz\n-1e100,1,2,3\n1,1,2,3\n"),
       AllOf(StartsWith("run.csv:2: the column 't': -1e+100 s is beyond the limit of 1e+20 s"),
-            HasSubstr("--time-unit")));
+            HasSubstr("unit of the times")));
   EXPECT_THAT(
       refusal("t,wx,wy,wz\n0,1,2,3\n1e16,1,2,3\n"),
       StartsWith(
