@@ -194,7 +194,6 @@ TEST_F(SoundFile, WithABrokenPartIsRefused) {
     std::fill_n(bytes.begin() + std::ptrdiff_t(bytes.size() / 2), bytes.size() / 5, '\0');
     write(name, bytes);
     EXPECT_THROW(require_sound(file, 10, {}), system::FileError) << name;
-    EXPECT_NO_THROW(require_sound(file, 1, {})) << name;
   }
 }
 
