@@ -6,7 +6,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0 unless an ``attit
 
 from . import plots
 from ._native import version as __version__
-from .body import Body, Stability
+from .body import Body, InSI, Stability
 from .check import Check, CheckOrder, Checks, ErrorSize, check
 from .compare import Comparison, FrameComparison, compare
 from .errors import (
@@ -58,6 +58,7 @@ __all__ = [
     "Film",
     "FrameComparison",
     "GlError",
+    "InSI",
     "ManyMotions",
     "Mesh",
     "Method",

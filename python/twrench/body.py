@@ -7,13 +7,15 @@ import warnings
 from dataclasses import dataclass
 from typing import Literal, Protocol, Sequence, cast
 
+import numpy as np
+
 from . import _arguments, _native
 from ._arguments import Array
 from .errors import UsageError
 from .names import Numbers, Rows, ShapeName, StrPath
 from .solids import Part, native_parts
 
-__all__ = ["Body", "Stability"]
+__all__ = ["Body", "InSI", "Stability"]
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,20 @@ class Stability:
     def period(self) -> float:
         """The time in s of one turn of a stable wobble; infinite otherwise."""
         return 2 * math.pi / self.rate if self.kind == "stable" else math.inf
+
+
+@dataclass(frozen=True)
+class InSI:
+    """The mass properties of a body in SI units."""
+
+    #: Mass in kg; NaN unless the body was given by its parts.
+    mass: float
+    #: Centre of mass in m, (3,).
+    centre_of_mass: Array
+    #: Inertia matrix about the centre of mass in kg m^2, (3, 3), in body axes.
+    inertia: Array
+    #: Principal moments of inertia in kg m^2, (3,), ascending.
+    principal_moments: Array
 
 
 class HasBody(Protocol):
@@ -123,6 +139,27 @@ class Body:
     def inertia(self) -> Array:
         """Inertia matrix about the centre of mass in g cm^2, (3, 3), in body axes."""
         return self._native.inertia
+
+    def inertia_about(self, point: Numbers) -> Array:
+        """Inertia matrix about a point in g cm^2, (3, 3), in body axes: the parallel-axis theorem.
+
+        :param point: the point in cm, (3,), in the frame in which the parts were placed.
+        :raises UsageError: for a wrong point, or if the mass is not known.
+        """
+        if self.mass != self.mass:
+            raise UsageError("inertia_about: needs the mass of the body, which is not given")
+        d = _arguments.array("point", point, (3,), "a point in cm") - self.centre_of_mass
+        return self.inertia + self.mass * (d @ d * np.eye(3) - np.outer(d, d))
+
+    @property
+    def si(self) -> InSI:
+        """The mass properties in SI units."""
+        return InSI(
+            self.mass / 1e3,
+            self.centre_of_mass / 1e2,
+            self.inertia / 1e7,
+            self.principal_moments / 1e7,
+        )
 
     @property
     def principal_moments(self) -> Array:

@@ -152,5 +152,61 @@ TEST_F(InertiaMatrix, IsInTheManifestOfItsFrames) {
   EXPECT_EQ(scene["title"], "A free rigid body");
 }
 
+/// A box of 1 x 2 x 3 cm and 12 g with a corner at the origin.
+constexpr const char* box_scene =
+    "[[part]]\nshape = \"box\"\nsize = [1, 2, 3]\ndensity = 2\nposition = [0.5, 1, 1.5]\n";
+
+Matrix3d matrix_in(const json& rows) {
+  Matrix3d m;
+  for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = rows[i / 3][i % 3];
+  return m;
+}
+
+// The moment of a box about an edge of its corner is m (b^2 + c^2) / 3, the product -m a b / 4.
+TEST(InertiaAboutAPoint, OfABoxIsThatOfTheFormula) {
+  const ScratchFolder folder;
+  system::write_file_atomically(folder / "box.toml", box_scene);
+  Matrix3d corner;
+  corner << 12 * 13 / 3.0, -6, -9, -6, 12 * 10 / 3.0, -18, -9, -18, 12 * 5 / 3.0;
+  const std::string command = "inertia box.toml --format json --about ";
+  const json found = json::parse(run_twrench(folder, command + "0,0,0").out);
+  EXPECT_EQ(found["units"]["inertia"], "g cm^2");
+  EXPECT_EQ(found["about"]["point"], json({0.0, 0.0, 0.0}));
+  EXPECT_LE((matrix_in(found["about"]["inertia"]) - corner).norm(), 1e-13);
+  const json centre = json::parse(run_twrench(folder, command + "0.5,1,1.5").out);
+  EXPECT_EQ(centre["about"]["inertia"], centre["inertia"]);
+  const json si = json::parse(run_twrench(folder, command + "0.01,0,0 --si").out);
+  const Matrix3d other = matrix_in(si["about"]["inertia"]) * 1e7;  // the mirrored corner
+  EXPECT_LE((other.cwiseAbs() - corner.cwiseAbs()).norm(), 1e-12);
+  EXPECT_NEAR(other(0, 1), 6, 1e-12);
+}
+
+TEST(InertiaInSi, HasKilogramsAndMetres) {
+  const ScratchFolder folder;
+  system::write_file_atomically(folder / "box.toml", box_scene);
+  const json cgs = json::parse(run_twrench(folder, "inertia box.toml --format json").out);
+  const json si = json::parse(run_twrench(folder, "inertia box.toml --format json --si").out);
+  EXPECT_EQ(si["units"], json({{"mass", "kg"}, {"length", "m"}, {"inertia", "kg m^2"}}));
+  EXPECT_DOUBLE_EQ(si["mass"], 0.012);
+  EXPECT_DOUBLE_EQ(si["centre_of_mass"][2], 0.015);
+  EXPECT_DOUBLE_EQ(si["principal_moments"][0], double(cgs["principal_moments"][0]) * 1e-7);
+  EXPECT_EQ(si["stability"][0]["rate"], cgs["stability"][0]["rate"]);
+  const std::string text = run_twrench(folder, "inertia box.toml --si --about 1,2,3").out;
+  EXPECT_THAT(text, HasSubstr("mass                 0.012 kg\n"));
+  EXPECT_THAT(text, HasSubstr("centre of mass, m\n"));
+  EXPECT_THAT(text, HasSubstr("inertia about (1, 2, 3) m, body axes, kg m^2\n"));
+  EXPECT_THAT(text, Not(HasSubstr("cm")));
+}
+
+TEST(InertiaAboutAPoint, NeedsAMassAndAPoint) {
+  const ScratchFolder folder;
+  const Outcome massless = run_twrench(folder, "inertia --inertia 1,2,3 --about 0,0,0");
+  EXPECT_EQ(massless.code, 2);
+  EXPECT_THAT(massless.err, HasSubstr("--about: needs the mass"));
+  for (const char* point : {"1,2", "1,2,x", "1e13,0,0", "nan,0,0"}) {
+    EXPECT_EQ(run_twrench(folder, std::string("inertia --about ") + point).code, 2) << point;
+  }
+}
+
 }  // namespace
 }  // namespace twrench

@@ -126,3 +126,24 @@ def test_stability_is_that_of_the_command(program):
     assert [axis.kind for axis in Body(moments=[2, 2, 2]).stability()] == ["neutral"] * 3
     with pytest.raises(twrench.UsageError, match="omega"):
         body.stability(math.nan)
+
+
+def test_the_inertia_about_a_corner_is_that_of_the_formula():
+    body = Body([Box(size=[1, 2, 3], density=2, position=[0.5, 1, 1.5])])
+    # m (b^2 + c^2) / 3 and -m a b / 4, with m = 12 g.
+    corner = [[52, -6, -9], [-6, 40, -18], [-9, -18, 20]]
+    np.testing.assert_allclose(body.inertia_about([0, 0, 0]), corner, rtol=1e-14)
+    np.testing.assert_array_equal(body.inertia_about(body.centre_of_mass), body.inertia)
+    with pytest.raises(twrench.UsageError, match="needs the mass"):
+        Body(moments=[2, 3, 4]).inertia_about([0, 0, 0])
+    with pytest.raises(twrench.UsageError, match="point"):
+        body.inertia_about([0, 0])
+
+
+def test_the_properties_in_si_units():
+    body = Body([Box(size=[1, 2, 3], density=2, position=[0.5, 1, 1.5])])
+    assert body.si.mass == pytest.approx(0.012, rel=1e-15)
+    np.testing.assert_allclose(body.si.centre_of_mass, [0.005, 0.01, 0.015], rtol=1e-15)
+    np.testing.assert_allclose(body.si.inertia, body.inertia * 1e-7, rtol=1e-15)
+    np.testing.assert_allclose(body.si.principal_moments, body.principal_moments * 1e-7, rtol=1e-15)
+    assert math.isnan(Body(moments=[2, 3, 4]).si.mass)
