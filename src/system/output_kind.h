@@ -16,14 +16,14 @@ struct OutputFormat {
   std::array<std::string_view, 2> endings;
   /// The first bytes of a file that twrench wrote.
   std::string_view begins;
-  /// What such a file has near its beginning or its end, and others do not.
+  /// A text near the beginning or the end of such a file, which other files lack.
   std::string_view mark;
 };
 
-/// What a command writes: the table of its formats serves the choice of the format, the protection
-/// of existing files and the help.
+/// A kind of output. The table of its formats serves the choice of the format, the protection of
+/// existing files and the help.
 struct OutputKind {
-  /// What messages call it.
+  /// The name in messages.
   std::string_view name;
   /// The first one is the default.
   std::span<const OutputFormat> formats;

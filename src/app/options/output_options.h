@@ -14,13 +14,13 @@ void add_overwrite_option(CLI::App& command, bool& overwrite);
 /// Must live as long as the command.
 class OutputOptions {
  public:
-  /// Where a command writes without -o.
+  /// The output of a command without -o.
   enum class Otherwise { standard_output, none };
 
   OutputOptions(CLI::App& command, const system::OutputKind& kind,
                 Otherwise otherwise = Otherwise::standard_output);
 
-  /// Returns an empty list of files, to which the command adds all that it reads and writes.
+  /// Returns an empty list. The command adds every file that it reads or writes.
   system::FileList files() const { return system::FileList(overwrite_); }
 
   /// Adds the output to the list. Throws as FileList::add_output().

@@ -12,7 +12,7 @@
 
 namespace twrench::app {
 
-/// The units of a report, and how many of the program's own one of them is.
+/// The units of a report. The numbers are grams and centimetres per unit.
 struct InertiaUnits {
   std::string_view mass, length;
   double grams, centimetres;
