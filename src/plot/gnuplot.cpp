@@ -125,6 +125,13 @@ void require_gnuplot(const system::OutputFormat& format) {
                                    : "install a build that can: apt-get install gnuplot-nox");
 }
 
+std::optional<system::OutputFile> add_plot(system::FileList& files, const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  const system::OutputFile file = files.add_output(system::plot_output, path);
+  require_gnuplot(file.format());
+  return file;
+}
+
 std::string svg(const Plot& plot) { return drawn(formats[0], plot, "the figure"); }
 
 std::unique_ptr<system::PendingFile> draw_pending_plot(const system::OutputFile& file,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,10 @@ std::string gnuplot_string(std::string_view text);
 /// Checks that gnuplot can write a format of system::plot_output; call it before any work. Throws
 /// PlotError if gnuplot is missing or cannot write it.
 void require_gnuplot(const system::OutputFormat& format);
+
+/// Adds the plot that a command draws beside its output to its files, and checks that gnuplot can
+/// write it. Nothing for an empty path. Throws as FileList::add_output() and require_gnuplot() do.
+std::optional<system::OutputFile> add_plot(system::FileList& files, const std::string& path);
 
 /// Returns the plot as the text of an SVG file. Throws PlotError if gnuplot is missing or fails,
 /// and FileError if gnuplot left the plot incomplete.

@@ -81,11 +81,7 @@ ExitCode run_check(const CheckOptions& options) {
   for (const std::string& file : options.files) files.add_input(file);
   options.setup.add_inputs(files);
   const system::OutputFile file = options.output.add_to(files);
-  std::optional<system::OutputFile> plot_file;
-  if (!options.plot.empty()) {
-    plot_file = files.add_output(system::plot_output, options.plot);
-    plot::require_gnuplot(plot_file->format());
-  }
+  const std::optional<system::OutputFile> plot_file = plot::add_plot(files, options.plot);
   const check::CheckResult result =
       check::check_files(options.files, given_steps(options), options.setup.convention(),
                          options.setup.problem(), bounds_of(options));

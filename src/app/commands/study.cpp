@@ -146,11 +146,7 @@ ExitCode run_study(const StudyOptions& options) {
   system::FileList files = options.output.files();
   options.scene.add_inputs(files);
   const system::OutputFile file = options.output.add_to(files);
-  std::optional<system::OutputFile> plot_file;
-  if (!options.plot.empty()) {
-    plot_file = files.add_output(system::plot_output, options.plot);
-    plot::require_gnuplot(plot_file->format());
-  }
+  const std::optional<system::OutputFile> plot_file = plot::add_plot(files, options.plot);
   const std::vector<Bound> bounds = bounds_of(options);
   const scene::Scene scene = options.scene.scene();
   study::StudyPlan plan = plan_of(options, scene);
