@@ -176,11 +176,7 @@ void add_outputs(CLI::App& command, CompareOptions& options) {
                   "write a page with the differing pictures, the worst first")
       ->type_name("R.html")
       ->group(heading(OptionGroup::output));
-  command.add_option("--format", options.format, "output format: text, json or junit")
-      ->check(one_of("--format", {"text", "json", "junit"}))
-      ->type_name("FORMAT")
-      ->capture_default_str()
-      ->group(heading(OptionGroup::output));
+  add_format_option(command, options.format, {"text", "json", "junit"});
   add_overwrite_option(command, options.overwrite);
   command
       .add_flag("--update", options.update,

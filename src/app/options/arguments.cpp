@@ -119,6 +119,18 @@ CLI::Validator one_of(const std::string& what, std::vector<std::string> names) {
   return {check, description};
 }
 
+CLI::Option* add_format_option(CLI::App& command, std::string& format,
+                               const std::vector<std::string>& formats) {
+  return command
+      .add_option("--format", format,
+                  fmt::format("output format: {} or {}",
+                              fmt::join(formats.begin(), formats.end() - 1, ", "), formats.back()))
+      ->check(one_of("--format", formats))
+      ->type_name("FORMAT")
+      ->capture_default_str()
+      ->group(heading(OptionGroup::output));
+}
+
 void add_progress_option(CLI::App& command, std::string& style) {
   command
       .add_option("--progress", style,

@@ -44,6 +44,10 @@ std::vector<std::string> given_options(const CLI::App& command,
 /// not. Its description lists the names, "{csv,json}", and read_command() reads them from it.
 CLI::Validator one_of(const std::string& what, std::vector<std::string> names);
 
+/// Adds the option --format, which accepts one of `formats`; `format` is the default.
+CLI::Option* add_format_option(CLI::App& command, std::string& format,
+                               const std::vector<std::string>& formats);
+
 /// Adds the option --progress for the style of Progress.
 void add_progress_option(CLI::App& command, std::string& style);
 

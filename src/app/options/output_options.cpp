@@ -32,12 +32,9 @@ OutputOptions::OutputOptions(CLI::App& command, const system::OutputKind& kind, 
   if (kind.has_format_option()) {
     std::vector<std::string> names;
     for (const system::OutputFormat& format : kind.formats) names.emplace_back(format.name);
-    command.add_option("--format", format_, "output format: " + system::listed_names(kind))
-        ->check(one_of("--format", names))
-        ->type_name("FORMAT")
+    add_format_option(command, format_, names)
         ->default_str("the ending of the file" +
-                      (kind.choice == Choice::by_default ? ", else " + names.front() : ""))
-        ->group(heading(OptionGroup::output));
+                      (kind.choice == Choice::by_default ? ", else " + names.front() : ""));
   }
   add_overwrite_option(command, overwrite_);
 }
