@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "base/require.h"
+#include "body/point_inertia.h"
 #include "body/shape_functions.h"
 
 namespace twrench::body {
@@ -17,12 +18,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// Returns the inertia about the origin of a point mass at d, the second term of the parallel-axis
-/// theorem.
-Matrix3d point_inertia(double mass, const Vector3d& d) {
-  return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
-}
 
 /// Flips the columns so that their signs do not depend on the eigenvalue solver.
 Matrix3d with_definite_signs(Matrix3d axes) {

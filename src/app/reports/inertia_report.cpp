@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/enumeration.h"
+#include "body/point_inertia.h"
 #include "scene/prediction.h"
 #include "text/escape.h"
 
@@ -31,7 +32,7 @@ std::string inertia_unit(const InertiaUnits& units) {
   return fmt::format("{} {}^2", units.mass, units.length);
 }
 
-/// The inertia about the point in g cm^2, by the parallel-axis theorem, eq. (45).
+/// The inertia about the point in g cm^2, by the parallel-axis theorem.
 Eigen::Matrix3d inertia_about(const Eigen::Vector3d& point, const Described& described) {
   const body::MassProperties& body = described.body;
   if (std::isnan(body.mass)) {
@@ -39,8 +40,7 @@ Eigen::Matrix3d inertia_about(const Eigen::Vector3d& point, const Described& des
                           "name a scene with parts, or a mesh");
   }
   const Eigen::Vector3d d = point * described.units.centimetres - body.centre_of_mass;
-  return body.inertia +
-         body.mass * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
+  return body.inertia + body::point_inertia(body.mass, d);
 }
 
 bool has_unstable_axis(const body::MassProperties& body) {
