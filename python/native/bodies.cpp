@@ -148,6 +148,10 @@ void add_bodies(py::module_& module) {
       .def_property_readonly("centre_of_mass",
                              [](const Body& b) { return b.properties.centre_of_mass; })
       .def_property_readonly("inertia", [](const Body& b) { return b.properties.inertia; })
+      .def("inertia_about",
+           [](const Body& b, const Vector3d& point) {
+             return body::inertia_about(b.properties, point);
+           })
       .def_property_readonly("moments", [](const Body& b) { return b.properties.moments; })
       .def_property_readonly("axes", [](const Body& b) { return b.properties.axes; });
 }

@@ -148,17 +148,18 @@ class Body:
         """
         if self.mass != self.mass:
             raise UsageError("inertia_about: needs the mass of the body, which is not given")
-        d = _arguments.array("point", point, (3,), "a point in cm") - self.centre_of_mass
-        return self.inertia + self.mass * (d @ d * np.eye(3) - np.outer(d, d))
+        return self._native.inertia_about(
+            _arguments.array("point", point, (3,), "a point in cm")
+        )
 
     @property
     def si(self) -> InSI:
         """The mass properties in SI units."""
         return InSI(
             self.mass / 1e3,
-            self.centre_of_mass / 1e2,
-            self.inertia / 1e7,
-            self.principal_moments / 1e7,
+            np.asarray(self.centre_of_mass / 1e2, dtype=np.float64),
+            np.asarray(self.inertia / 1e7, dtype=np.float64),
+            np.asarray(self.principal_moments / 1e7, dtype=np.float64),
         )
 
     @property

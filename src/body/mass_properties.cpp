@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "base/require.h"
-#include "body/point_inertia.h"
 #include "body/shape_functions.h"
 
 namespace twrench::body {
@@ -62,6 +61,12 @@ Matrix3d inertia_of(const Part& part) {
                     part.shape);
 }
 
+/// Returns the inertia about the origin of a point mass at d, the second term of the parallel-axis
+/// theorem.
+Matrix3d point_inertia(double mass, const Vector3d& d) {
+  return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+}
+
 }  // namespace
 
 // Eigen's functions are inlined here. Otherwise the linker may replace them by those of a program
@@ -75,6 +80,10 @@ Matrix3d inertia_of(const Part& part) {
   if (!R.isUnitary(round_off) || !(R.determinant() > 0)) {
     throw InvalidArgument("body_from_part", "must be a proper rotation");
   }
+}
+
+Matrix3d inertia_about(const MassProperties& body, const Vector3d& point) {
+  return body.inertia + point_inertia(body.mass, point - body.centre_of_mass);
 }
 
 MassProperties mass_properties(std::span<const Part> parts) {

@@ -29,6 +29,10 @@ struct MassProperties {
 /// density or a length that is not positive, or a position that is not finite.
 MassProperties mass_properties(std::span<const Part> parts);
 
+/// Returns the inertia matrix in g cm^2 about a point in cm, in the frame in which the parts are
+/// placed, by the parallel-axis theorem. NaN if the mass is NaN, which means that it is not known.
+Eigen::Matrix3d inertia_about(const MassProperties& body, const Eigen::Vector3d& point);
+
 /// The principal moments and axes of an inertia matrix.
 struct PrincipalAxes {
   /// An axis, named after its moment. Its value is the index into `moments` and the columns of

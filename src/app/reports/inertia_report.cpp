@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "base/enumeration.h"
-#include "body/point_inertia.h"
 #include "scene/prediction.h"
 #include "text/escape.h"
 
@@ -39,8 +38,7 @@ Eigen::Matrix3d inertia_about(const Eigen::Vector3d& point, const Described& des
     throw InvalidArgument("--about", "needs the mass of the body, which is not given",
                           "name a scene with parts, or a mesh");
   }
-  const Eigen::Vector3d d = point * described.units.centimetres - body.centre_of_mass;
-  return body.inertia + body::point_inertia(body.mass, d);
+  return body::inertia_about(body, point * described.units.centimetres);
 }
 
 bool has_unstable_axis(const body::MassProperties& body) {
