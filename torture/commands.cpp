@@ -2,8 +2,9 @@
 // table of options, with the real program in a folder full of traps, until the time is over; or a
 // single one of them. Case k is drawn by a generator seeded only from SEED and k. Faults are: a
 // wrong end or output of the run (messages.h); a file that was not requested; a changed input or
-// unrelated file; an output that is missing although the run succeeded; invalid JSON; a small run
-// that takes 120 seconds; and a long run that ignores SIGTERM.
+// unrelated file; a file of another kind, replaced without --overwrite; an output that is missing
+// although the run succeeded; invalid JSON; a small run that takes 120 seconds; and a long run that
+// ignores SIGTERM.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,9 +44,11 @@ std::string place_of(const std::string& name, const fs::path& folder) {
 struct Asked {
   std::set<std::string> files;
   std::set<std::string> frame_folders;
+  std::string figures;  ///< beginning of the names of a report's figures, if not empty
 
   bool covers(const std::string& path) const {
     if (files.contains(path)) return true;
+    if (!figures.empty() && path.starts_with(figures) && path.ends_with(".svg")) return true;
     static const std::regex in_frames("(frame_[0-9]{6,8}\\.png|manifest.*\\.json)");
     const fs::path as_path(path);
     const std::string folder = as_path.has_parent_path() ? as_path.parent_path().string() : ".";
@@ -78,6 +81,10 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
   for (const char* option : {"output", "diff", "plot", "report"}) {
     if (line.has(option)) add_file(line.value(option));
   }
+  if (line.command == "report" && !asked.files.empty()) {
+    const fs::path report(*asked.files.begin());
+    asked.figures = (report.parent_path() / report.stem()).string() + "-";
+  }
   if (line.command == "render") {
     const std::string as_scene = "out/" + default_name(line);
     const fs::path video = line.value("output", as_scene + ".mp4");
@@ -106,6 +113,16 @@ std::set<std::string> inputs_of(const CommandLine& line, const fs::path& folder)
   if (replaces_expected(line)) inputs.erase(place_of(line.arguments.front(), folder));
   if (line.has("font")) inputs.insert(place_of(line.value("font"), folder));
   return inputs;
+}
+
+/// Whether the command wrote this file of the playground as the same kind of output.
+bool is_own_output(const CommandLine& line, const std::string& path) {
+  static const std::regex own("own_([a-z]+)\\..*");
+  std::smatch found;
+  if (!std::regex_match(path, found, own)) return false;
+  if (line.has("plot") && place_of(line.value("plot"), {}) == path) return found[1] == "plot";
+  const bool are_motions = found[1] == "simulate" && line.command == "export";
+  return found[1] == line.command || are_motions;
 }
 
 /// A case that was run, with the folder before and after.
@@ -149,6 +166,9 @@ void judge_old_entries(const Tried& tried, Faults& faults) {
     } else if (is_frame && !goes_on && !tried.line.has("overwrite") &&
                !replaces_expected(tried.line)) {
       faults.push_back("frames written over without --overwrite: " + printable(path));
+    } else if (!is_frame && !tried.line.has("overwrite") && !replaces_expected(tried.line) &&
+               !is_own_output(tried.line, path)) {
+      faults.push_back("another file was written over without --overwrite: " + printable(path));
     } else if (!is_frame && !tried.succeeded()) {
       faults.push_back("changed by a run that failed: " + printable(path));
     }
@@ -211,6 +231,7 @@ Manner manner_of(const CommandLine& line) {
   const std::string output = line.value("output");
   manner.out_is_text = (line.command != "render" && line.command != "encode") ||
                        (output != "-" && output != "/dev/stdout");
+  manner.may_name_infinity = line.command == "schema";
   return manner;
 }
 

@@ -112,7 +112,7 @@ std::vector<std::string> faults_in_manner(const Ended& run, const Manner& manner
   judge_text(run.err, "standard error", manner.has_bar ? "\n\r\x1b" : "\n", faults);
   if (manner.out_is_text) {
     judge_text(run.out, "standard output", "\n", faults);
-    if (run.code == 0 && has_not_a_number(run.out)) {
+    if (run.code == 0 && !manner.may_name_infinity && has_not_a_number(run.out)) {
       faults.emplace_back("a number that is none, with exit code 0");
     }
   }

@@ -4,8 +4,10 @@
 #include <map>
 
 #include "base/enumeration.h"
+#include "playground.h"
 #include "scene/materials.h"
 #include "scene/scene.h"
+#include "system/output_kind.h"
 #include "video/codec.h"
 
 namespace twrench::torture {
@@ -199,7 +201,8 @@ Values folders_of_frames() {
                   values({"m_fifo", "fifo"}, true), odd_words()})};
 }
 
-/// Names of files to be written, with these extensions.
+/// Names of files to be written, with these extensions. "own_COMMAND" is a file that the command
+/// wrote, "notes" one of another program.
 Values outputs(const Words& endings) {
   Words sensible;
   Words hostile{"-",           "missing/x",
@@ -212,17 +215,20 @@ Values outputs(const Words& endings) {
                 "sound.obj",   "a.png",
                 "new\nline.x", "\xff.x",
                 "\x1b[2J.x",   "secret.toml",
-                "font.ttf",    "old.csv",
-                "b.png",       "link.toml",
+                "font.ttf",    "link.toml",
+                "b.png",       "recording.csv",
                 "-x",          "frames/manifest.json",
                 "\x7f",        "frames/frame_000001.png"};
   for (const std::string& ending : endings) {
     for (const char* name : {"new", "missing/new", "with a space", "caf\xc3\xa9"}) {
       sensible.push_back(name + ending);
     }
-    for (const char* name :
-         {"old", "folder", "link", "dangling", "locked/new", "read_only/new", "a.png/new",
-          "file:new", "pipe:1", "%d", "-new", "/proc/new", "new\nline", "\xff", "\x1b[31mred"}) {
+    for (const Writing& writing : writings()) {
+      hostile.push_back("own_" + writing.command() + ending);
+    }
+    for (const char* name : {"notes", "to_notes", "folder", "link", "dangling", "locked/new",
+                             "read_only/new", "a.png/new", "file:new", "pipe:1", "%d", "-new",
+                             "/proc/new", "new\nline", "\xff", "\x1b[31mred"}) {
       hostile.push_back(name + ending);
     }
     for (const unsigned length : {255U, 256U, 5000U}) {
@@ -230,6 +236,24 @@ Values outputs(const Words& endings) {
     }
   }
   return {values(sensible), joined({values(hostile), values({"fifo"}, true), odd_words()})};
+}
+
+Values outputs(const system::OutputKind& kind) {
+  Words endings;
+  for (const system::OutputFormat& format : kind.formats) {
+    for (const std::string_view ending : format.endings) {
+      if (!ending.empty()) endings.emplace_back(ending);
+    }
+  }
+  return outputs(endings);
+}
+
+/// Recordings of a motion.
+Values recordings() {
+  return {values({"recording.csv", "own_simulate.csv", "./recording.csv"}),
+          joined({values({"notes.csv", "a.png", "own_simulate.json", "own_export.aem", "folder",
+                          "missing.csv", "/dev/null", "/dev/zero", "loop", "sound.toml"}),
+                  values({"fifo"}, true), odd_words()})};
 }
 
 Values output_folders() {
@@ -328,14 +352,20 @@ const std::map<std::string, Values>& known() {
       {"render/output", outputs(videos)},
       {"encode/output", outputs(videos)},
       {"width", numbers({"16", "64", "65"}, {"15", "16385"})},
-      {"simulate/output", outputs({".csv", ".json"})},
-      {"export/output", outputs({".glb", ".aem", ".csv", ".json"})},
-      {"inertia/output", outputs({".txt", ".json"})},
-      {"study/output", outputs({".txt"})},
-      {"cases/output", outputs({".txt", ".csv", ".json"})},
-      {"plot/output", outputs({".svg", ".pdf", ".png"})},
-      {"study/plot", outputs({".svg", ".png"})},
-      {"diff", outputs({".png"})},
+      {"simulate/output", outputs(system::motion_output)},
+      {"export/output", outputs(system::exported_motion)},
+      {"inertia/output", outputs(system::inertia_output)},
+      {"study/output", outputs(system::study_output)},
+      {"check/output", outputs(system::check_output)},
+      {"cases/output", outputs(system::list_of_cases)},
+      {"schema/output", outputs(system::schema_output)},
+      {"page/output", outputs(system::page_output)},
+      {"report/output", outputs(system::report_output)},
+      {"plot/output", outputs(system::plot_output)},
+      {"plot", outputs(system::plot_output)},
+      {"report", outputs(system::comparison_page)},
+      {"diff", outputs(system::difference_picture)},
+      {"FILE", recordings()},
       {"frames-dir", output_folders()},
       {"frames",
        {values({"0", "0-1", "0-1:2"}),

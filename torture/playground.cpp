@@ -203,13 +203,40 @@ void put_broken_frames(const fs::path& folder) {
   fs::create_directory(folder / "m_fifo");
 }
 
+/// Runs the program in the folder.
+void run_there(const fs::path& folder, std::vector<std::string> command) {
+  const Ended ended = run({std::move(command), folder, folder / "said"});
+  if (ended.code != 0) throw std::runtime_error("the playground cannot be made: " + ended.err);
+  fs::remove(folder / "said.out");
+  fs::remove(folder / "said.err");
+}
+
+/// Creates a file of another program under each ending of an output, with a link to it, and those
+/// that the program itself writes.
+void put_old_outputs(const fs::path& folder, const fs::path& twrench) {
+  for (const char* ending :
+       {".aem", ".csv", ".gif", ".glb", ".htm", ".html", ".json", ".md",   ".mkv",  ".mov",
+        ".mp4", ".npz", ".pdf", ".png", ".svg", ".txt",  ".vtt",  ".webm", ".webp", ".xml"}) {
+    const std::string notes = std::string("notes") + ending;
+    put(folder / notes, "my notes\n");
+    fs::create_symlink(notes, folder / ("to_" + notes));
+  }
+  put(folder / "recording.csv", "t,wx,wy,wz\n0,0.1,2,0.3\n0.5,0.2,2,0.3\n1,0.3,2,0.2\n");
+  for (const Writing& writing : writings()) {
+    for (const std::string& ending : writing.endings) {
+      std::vector<std::string> command{twrench.string()};
+      command.insert(command.end(), writing.words.begin(), writing.words.end());
+      command.insert(command.end(), {"-o", "own_" + writing.command() + ending});
+      run_there(folder, command);
+    }
+  }
+}
+
 void put_places(const fs::path& folder) {
   fs::create_directory(folder / "folder");
   fs::create_directory(folder / "folder.mp4");
   fs::create_directory(folder / "locked");
   fs::create_directory(folder / "read_only");
-  put(folder / "old.csv", "old\n");
-  put(folder / "old.mp4", "old\n");
   put(folder / "target.mp4", "old\n");
   fs::create_symlink("target.mp4", folder / "link.mp4");
   fs::create_symlink("new.mp4", folder / "dangling.mp4");
@@ -218,20 +245,29 @@ void put_places(const fs::path& folder) {
 
 }  // namespace
 
+const std::vector<Writing>& writings() {
+  static const std::vector<Writing> all{
+      {{"simulate", "sound.toml"}, {".csv", ".json"}},
+      {{"inertia", "sound.toml"}, {".txt", ".json"}},
+      {{"check", "recording.csv", "--scene", "sound.toml", "--no-fail"}, {".txt", ".json", ".xml"}},
+      {{"study", "sound.toml", "--methods", "rk4", "--steps", "0.1"}, {".txt", ".csv", ".json"}},
+      {{"cases"}, {".txt", ".csv", ".json"}},
+      {{"schema"}, {".json"}},
+      {{"export", "sound.toml"}, {".glb", ".aem"}},
+      {{"plot", "sound.toml"}, {".svg", ".pdf", ".png"}}};
+  return all;
+}
+
 void furnish(const fs::path& folder, const fs::path& twrench) {
   put_scenes(folder);
   put_meshes(folder);
   put_amplifiers(folder);
   for (const auto& [name, scene] : {std::pair{"frames", "sound.toml"}, {"other", "stable-y"}}) {
-    const Ended ended =
-        run({{twrench.string(), "render", scene, "--no-video", "--size", "64x48", "--duration", "1",
-              "--fps", "4", "--speed", "1", "--progress", "none", "--frames-dir", name},
-             folder,
-             folder / "said"});
-    if (ended.code != 0) throw std::runtime_error("the frames cannot be drawn: " + ended.err);
+    run_there(folder,
+              {twrench.string(), "render", scene, "--no-video", "--size", "64x48", "--duration",
+               "1", "--fps", "4", "--speed", "1", "--progress", "none", "--frames-dir", name});
   }
-  fs::remove(folder / "said.out");
-  fs::remove(folder / "said.err");
+  put_old_outputs(folder, twrench);
   put_pictures(folder);
   put_broken_frames(folder);
   put_places(folder);
