@@ -123,13 +123,34 @@ void pipe_scene(CommandLine& line) {
   line.arguments.front() = *word = "/dev/stdin";
 }
 
-/// Passes the same file to two options for outputs.
-void repeat_output(CommandLine& line, const std::vector<Option>& options) {
+/// The options for outputs that the line lacks.
+std::vector<std::string> further_outputs(const CommandLine& line,
+                                         const std::vector<Option>& options) {
   std::vector<std::string> outputs;
   for (const char* name : {"output", "plot", "diff", "report"}) {
     const auto is_it = [&](const Option& option) { return option.name == name; };
     if (!line.has(name) && std::ranges::any_of(options, is_it)) outputs.emplace_back(name);
   }
+  return outputs;
+}
+
+/// Passes the name of an existing file, with a fitting ending, to an option for an output.
+void aim_at_old_file(CommandLine& line, const std::vector<Option>& options, Dice& dice) {
+  const std::vector<std::string> outputs = further_outputs(line, options);
+  if (outputs.empty()) return;
+  const std::string& name = dice.one_of(outputs);
+  std::vector<std::string> old;
+  for (const auto& [text, may_last] : values_for(line.command, name).hostile) {
+    if (text.starts_with("own_") || text.starts_with("notes") || text.starts_with("to_notes"))
+      old.push_back(text);
+  }
+  line.options[name] = dice.one_of(old);
+  line.words.insert(line.words.end(), {"--" + name, line.options[name]});
+}
+
+/// Passes the same file to two options for outputs.
+void repeat_output(CommandLine& line, const std::vector<Option>& options) {
+  const std::vector<std::string> outputs = further_outputs(line, options);
   if (outputs.size() < 2) return;
   for (const auto& [name, value] : {std::pair(outputs[0], "one.svg"), {outputs[1], "./one.svg"}}) {
     line.words.insert(line.words.end(), {"--" + name, value});
@@ -182,6 +203,7 @@ CommandLine random_command_line(const OptionTable& table, Dice& dice) {
   line.has_loud_children = dice.chance(0.2);
   if (dice.chance(0.1)) pipe_scene(line);
   if (dice.chance(0.1)) repeat_output(line, options);
+  if (dice.chance(0.2)) aim_at_old_file(line, options, dice);
   if (dice.chance(0.1)) distort(line, dice);
   return line;
 }
