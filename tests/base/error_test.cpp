@@ -34,7 +34,32 @@ TEST(Error, LeavesOutWholeCharacters) {
   for (std::size_t at = 0; (at = message.find("\u20ac", at)) != std::string::npos;) {
     message.erase(at, 3);
   }
-  EXPECT_EQ(message, "x ... : why");
+  EXPECT_EQ(message, "x\u2026: why");
+}
+
+TEST(Error, ShortensWhatItQuotes) {
+  const std::string typed = std::string(39, 'a') + std::string(70'000, 'b') + std::string(39, 'c');
+  const std::string shown = std::string(39, 'a') + "\u2026" + std::string(39, 'c');
+  EXPECT_EQ(Error("--step", "'" + typed + "' is not a number").what(),
+            "--step: '" + shown + "' is not a number");
+  EXPECT_EQ(Error("frames '" + typed + "'", "not '" + typed + "', the body's").what(),
+            "frames '" + shown + "': not '" + shown + "', the body's");
+  const std::string longest(80, 'x');
+  EXPECT_EQ(Error("a", "unknown name '" + longest + "'").what(),
+            "a: unknown name '" + longest + "'");
+}
+
+TEST(Error, ShortensAQuotationByWholeLetters) {
+  std::string typed, kept;
+  for (int i = 0; i < 81; ++i) typed += "\u20ac";  // three bytes each
+  for (int i = 0; i < 39; ++i) kept += "\u20ac";
+  EXPECT_EQ(Error("a", "'" + typed + "' is unknown").what(),
+            "a: '" + kept + "\u2026" + kept + "' is unknown");
+}
+
+TEST(Error, LeavesAPathWhole) {
+  const std::string path = "folder/" + std::string(200, 'x') + ".toml";
+  EXPECT_EQ(Error("a", "'" + path + "' is a folder").what(), "a: '" + path + "' is a folder");
 }
 
 // Callers use the length of the quantity to split the message.

@@ -16,7 +16,8 @@ namespace twrench {
 class Error : public std::runtime_error {
  public:
   /// `what` failed because of `why`; `remedy` may be empty. The texts may quote input of any length
-  /// and content. The middle of a long text is omitted, and a NUL becomes an escape sequence.
+  /// and content. The middle of a long text, and of a long quotation that is not a path, is
+  /// omitted, and a NUL becomes an escape sequence.
   Error(const std::string& what, const std::string& why, const std::string& remedy = {});
   /// Copies it.
   Error(const Error&) = default;
