@@ -21,6 +21,7 @@
 #include "scene/scene_json.h"
 #include "scene/scene_schema.h"
 #include "scene/scene_values.h"
+#include "scene/video_length.h"
 #include "timeline/film_timeline.h"
 
 namespace twrench::python {
@@ -46,6 +47,13 @@ void set_value(Scene& scene, const std::string& key, const std::string& json) {
     } catch (const nlohmann::ordered_json::out_of_range&) {
       throw InvalidArgument(key, "is a number beyond those of double precision");
     }
+  });
+}
+
+void set_video_length(Scene& scene, double length, bool keeps_duration) {
+  on_scene([&] {
+    scene::set_video_length(scene, length,
+                            keeps_duration ? scene::Kept::duration : scene::Kept::speed, "length");
   });
 }
 
@@ -133,6 +141,8 @@ void add_scenes(py::module_& module) {
       .def("notes", [](const Scene& scene) { return mesh_notes(scene); })
       .def("input_files", &scene::input_files)
       .def("has_shots", [](const Scene& s) { return !s.shots.empty(); })
+      .def("video_length", &Scene::video_length)
+      .def("set_video_length", &set_video_length)
       .def("motion_times",
            [](const Scene& s) { return on_scene([&] { return timeline::motion_times(s); }); })
       .def("frame_count", [](const Scene& s) { return on_scene([&] { return s.frame_count(); }); });

@@ -206,6 +206,9 @@ class Scene:
     can be set; ``frame`` of the camera is called ``camera_frame``. ``attitude`` is X(0), in any form
     that :func:`simulate` accepts. An invalid value is rejected and leaves the scene unchanged.
 
+    ``length`` is that of the video in s. With ``duration`` it determines the speed, otherwise the
+    duration; it is an error beside both.
+
     ``step``, ``duration`` and ``speed`` follow from the motion unless the file or the caller gives
     them. Replacing the ``body`` also resets the title, the times and the trail of the scene, except
     those that the caller gave.
@@ -277,6 +280,7 @@ class Scene:
         step: float = UNSET,
         tolerance: float = UNSET,
         duration: float = UNSET,
+        length: float = UNSET,
         size: tuple[int, int] = UNSET,
         fps: Rate = UNSET,
         speed: float = UNSET,
@@ -335,7 +339,7 @@ class Scene:
             warnings.warn(note, stacklevel=2)
         self._original = _native.Scene(self._native)
         self._drawer: _native.FrameDrawer | None = None
-        values = {key: given[key] for key in ("body", *_keys()) if given[key] is not UNSET}
+        values = {key: given[key] for key in ("body", *_keys(), "length") if given[key] is not UNSET}
         self._set_all(values | unknown)
 
     @classmethod
@@ -364,12 +368,16 @@ class Scene:
         if "body" in values:  # first, because it resets the title and the times
             self.body = values["body"]
         for key, value in values.items():
-            if key == "body":
+            if key in ("body", "length"):
                 continue
             if isinstance(getattr(type(self), key, None), _Value):
                 setattr(self, key, value)
             else:
                 self._native.set(key, "null")  # raises an error that lists the keys
+        if "length" in values:  # last, because it follows from the others or determines one of them
+            if "duration" in values and "speed" in values:
+                raise SceneError("length: duration and speed determine it; leave out one of the three")
+            self._set_length(values["length"], "duration" in values)
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_") and not hasattr(type(self), name):
@@ -391,6 +399,20 @@ class Scene:
         if not isinstance(body, Body):
             raise SceneError(f"body: must be a twrench.Body, not {_arguments.brief(body)}")
         self._native.body = body._native
+        self._drawer = None
+
+    @property
+    def length(self) -> float:
+        """The length of the video in s: duration / speed, or that of all shots. A new length keeps the
+        speed, so it cuts or extends the motion."""
+        return self._native.video_length()
+
+    @length.setter
+    def length(self, length: float) -> None:
+        self._set_length(length, keeps_duration=False)
+
+    def _set_length(self, length: Any, keeps_duration: bool) -> None:
+        self._native.set_video_length(_arguments.number("length", length), keeps_duration)
         self._drawer = None
 
     @property

@@ -64,13 +64,6 @@ void require_allowed(const body::Part& part, const std::string& what) {
   limits::check(limits::coordinate, what + ".position", part.position);
 }
 
-/// Throws if each shot has its own value.
-void require_without_shots(const Scene& scene, const std::string& key) {
-  if (scene.shots.empty()) return;
-  throw InvalidArgument(key, "each shot of " + scene.name + " has its own",
-                        "change the shots in the scene file");
-}
-
 /// Throws unless the body and the motion of the scene and of each shot suit each other.
 void require_interiors(const Scene& scene) {
   check_interior(scene, [](const std::string& key) { return key; });
@@ -78,6 +71,12 @@ void require_interiors(const Scene& scene) {
 }
 
 }  // namespace
+
+void require_without_shots(const Scene& scene, const std::string& key) {
+  if (scene.shots.empty()) return;
+  throw InvalidArgument(key, "each shot of " + scene.name + " has its own",
+                        "change the shots in the scene file");
+}
 
 void set_value(Scene& scene, const std::string& key, const ordered_json& value) {
   const auto field = std::ranges::find(fields(), key, &Field::key);

@@ -10,6 +10,9 @@ namespace twrench::scene {
 // Changes to a scene by a program, with the same checks as for a scene file. On failure each throws
 // InvalidArgument about the key and leaves the scene unchanged.
 
+/// Throws InvalidArgument about `key` if the scene has shots, each of which has its own value.
+void require_without_shots(const Scene& scene, const std::string& key);
+
 /// Sets the field with that key, also in all shots, to a value in the form of scene_json(). In a
 /// film with shots, the angular velocity, the duration and the speed cannot be set, because each
 /// shot has its own.

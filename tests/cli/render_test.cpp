@@ -59,6 +59,27 @@ TEST(Render, AFractionalRateIsExact) {
   EXPECT_THAT(wrong.err, HasSubstr("--fps: '30/0' is not a fraction"));
 }
 
+TEST(Render, ReportsAndSetsTheLengthOfTheVideo) {
+  const ScratchFolder folder;
+  const std::string film = "render --size 32x32 --bare --frames 0 --no-video --overwrite ";
+  const auto described = [&](const std::string& options) {
+    const Outcome run = run_twrench(folder, film + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err.substr(0, run.err.find('\n'));
+  };
+  EXPECT_EQ(described(""), "twrench: note: 96 s of motion, 6 times as fast: 16 s of video");
+  EXPECT_EQ(described("--length 4"),
+            "twrench: note: 24 s of motion, 6 times as fast: 4 s of video");
+  EXPECT_EQ(described("--length 4 --speed 1"),
+            "twrench: note: 4 s of motion, in real time: 4 s of video");
+  EXPECT_EQ(described("--length 4 --duration 2"),
+            "twrench: note: 2 s of motion, 0.5 times as fast: 4 s of video");
+  EXPECT_THAT(described("--length 4 --inertia 3,4,5"), HasSubstr("4 s of video"));
+  const Outcome wrong = run_twrench(folder, film + "--length 4 --duration 2 --speed 1");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--length: --duration and --speed determine it already"));
+}
+
 TEST(Render, WithoutAnOutputNamesTheFileByItsContainer) {
   const ScratchFolder folder;
   const std::string film =

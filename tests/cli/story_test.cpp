@@ -137,7 +137,8 @@ TEST_F(Story, TakesOptionsThatMakeSenseForAllShots) {
   EXPECT_EQ(all["frames"].size(), 6u);
   EXPECT_EQ(all["size"], json({64, 36}));
   for (const json& shot : all["scene"]["shot"]) EXPECT_FALSE(shot.contains("look")) << shot;
-  for (const char* option : {"--omega 1,2,3", "--duration 3", "--speed 2", "--inertia 1,2,3"}) {
+  for (const char* option :
+       {"--omega 1,2,3", "--duration 3", "--speed 2", "--length 2", "--inertia 1,2,3"}) {
     const Outcome run = render(option);
     EXPECT_EQ(run.code, 2) << option;
     EXPECT_THAT(run.err, HasSubstr("each shot of story has its own"));

@@ -196,6 +196,27 @@ def test_values_that_the_caller_gave_stay_with_another_body():
     assert (fresh.title, fresh.duration) == (Scene(body=body).title, Scene(body=body).duration)
 
 
+def test_the_length_of_the_video():
+    scene = Scene("dzhanibekov")
+    assert scene.length == 16
+    scene.length = 4
+    assert (scene.length, scene.duration, scene.speed) == (4, 24, 6)
+    scene.speed = 2
+    assert (scene.length, scene.duration) == (12, 24)
+    assert Scene(length=4, speed=1).duration == 4
+    assert Scene(length=4, duration=2).speed == 0.5
+    with pytest.raises(SceneError, match="^length: duration and speed determine it"):
+        Scene(length=4, duration=2, speed=0.5)
+    for wrong in (0, -1, 1e7):
+        with pytest.raises(SceneError, match="^length: is "):
+            scene.length = wrong
+    with pytest.raises(twrench.UsageError, match="^length: must be a number"):
+        Scene(length="long")  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match="^length: each shot of explain has its own"):
+        Scene("explain", length=4)
+    assert scene.length == 12
+
+
 @pytest.mark.parametrize(
     ("key", "value", "message"),
     [

@@ -12,6 +12,7 @@
 #include "app/terminal/timing.h"
 #include "film/render_job.h"
 #include "image/picture_memory.h"
+#include "scene/video_length.h"
 #include "system/termination.h"
 
 namespace twrench::app {
@@ -49,6 +50,7 @@ void render(const RenderOptions& options) {
       [&](system::TerminationMessage& message) { end_whole(job, message); });
 
   Progress progress(options.progress);
+  progress.note(scene::describe_video(scene));
   if (!job.note().empty()) progress.note(job.note());
   for (const std::string& warning : job.warnings()) progress.warn(warning);
   job.run([&](int done, int total) { progress.update(done, total); });

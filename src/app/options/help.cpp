@@ -50,7 +50,7 @@ bool is_long(const Command& command) { return command.options.size() > most_opti
 const std::vector<std::string>& most_used_of(const Command& command) {
   static const std::map<std::string, std::vector<std::string>> all{
       {"render",
-       {"--output", "--size", "--duration", "--speed", "--omega", "--view", "--show",
+       {"--output", "--size", "--duration", "--speed", "--length", "--omega", "--view", "--show",
         "--background", "--theme", "--title"}},
       {"export",
        {"--output", "--format", "--max-angle", "--fps", "--duration", "--speed", "--omega",

@@ -18,6 +18,7 @@
 #include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
+#include "scene/video_length.h"
 #include "system/file.h"
 
 namespace twrench::app {
@@ -162,6 +163,16 @@ void SceneOptions::add_motion_options() {
   add_inertia_option();
 }
 
+void SceneOptions::add_length_option() {
+  command_
+      .add_option_function<std::string>(
+          "--length", [this](const std::string& text) { length_ = text; },
+          "length of the video, s; with --duration it determines the speed, otherwise the duration")
+      ->type_name("S")
+      ->default_str("duration / speed")
+      ->group(heading(OptionGroup::film));
+}
+
 void SceneOptions::add_shape_option() {
   add(OptionGroup::body, "--shape", "NAME",
       fmt::format("solid to draw for a body given by its inertia: {}",
@@ -265,6 +276,17 @@ scene::Scene SceneOptions::load(const std::string& name) const {
   return scene::load_scene(language_ ? scene::story_in(*language(), name, "--language") : name);
 }
 
+void SceneOptions::set_length(scene::Scene& scene) const {
+  if (!length_) return;
+  const bool has_duration = command_.count("--duration") > 0;
+  if (has_duration && command_.count("--speed") > 0) {
+    throw InvalidArgument("--length", "--duration and --speed determine it already",
+                          "leave out one of the three");
+  }
+  scene::set_video_length(scene, parse_number(*length_, "--length"),
+                          has_duration ? scene::Kept::duration : scene::Kept::speed, "--length");
+}
+
 void SceneOptions::require_interior(const scene::Scene& scene) const {
   scene::check_interior(scene, [&](const std::string& key) {
     const auto field = std::ranges::find(scene::fields(), key, &scene::Field::key);
@@ -289,6 +311,7 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
     require_interior(scene);
     for (const scene::Shot& shot : scene.shots) require_interior(shot.scene);
     scene::set_natural_times(scene);
+    set_length(scene);
     // Neutral titles are alike, so the scene's name tells them apart.
     const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();
     if (is_neutral && names_.size() > 1) scene.title += ": " + scene.name;

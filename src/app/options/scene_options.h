@@ -60,6 +60,9 @@ class SceneOptions {
   /// Adds only --inertia.
   void add_inertia_option();
 
+  /// Adds --length, which determines the duration or the speed.
+  void add_length_option();
+
   /// Uses all built-in scenes. Throws InvalidArgument about `option` if SCENE is given.
   void use_builtin_scenes(const std::string& option);
 
@@ -126,6 +129,8 @@ class SceneOptions {
   /// Loads the scenes without warnings, and only once, because a pipe can be read only once.
   const std::vector<Loaded>& load() const;
   scene::Scene load(const std::string& name) const;
+  /// Applies --length to a scene with all other overrides.
+  void set_length(scene::Scene& scene) const;
   /// Throws InvalidArgument about an option or a key of the scene, as check_interior() does.
   void require_interior(const scene::Scene& scene) const;
 
@@ -135,6 +140,7 @@ class SceneOptions {
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
   std::optional<std::string> language_;  ///< Nothing for that of each scene.
+  std::optional<std::string> length_;    ///< Nothing for that of the duration and the speed.
   mutable std::vector<Loaded> loaded_;   ///< Set by load().
 };
 
