@@ -52,8 +52,11 @@ std::string remedy_of(const Error& error) {
   if (const auto* size = dynamic_cast<const video::FilmSizeError*>(&error)) {
     return fmt::format("use size=({}, {}), or write frames alone", size->width(), size->height());
   }
-  if (dynamic_cast<const canvas::MissingGlyph*>(&error)) {
-    return "set font to a file of a font that has it, or another title";
+  if (const auto* glyph = dynamic_cast<const canvas::MissingGlyph*>(&error)) {
+    return fmt::format(
+        "set font to a file of a font that has it: fc-list :charset={:x} lists those that are "
+        "installed",
+        static_cast<std::uint32_t>(glyph->character()));
   }
   if (dynamic_cast<const film::SpaceError*>(&error)) {
     return "free some space, or choose another disk, a smaller size or fewer frames";

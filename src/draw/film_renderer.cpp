@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "canvas/error.h"
 #include "canvas/font.h"
 #include "draw/cross_fade.h"
 #include "picture/compose/layout.h"
@@ -21,6 +22,8 @@ void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface)
     const picture::Layout layout = picture::compute_layout(shot.scene);
     const picture::OverlayColors& colors = picture::style_of(shot.scene.look.theme).overlay;
     if (layout.caption) picture::Caption(*shot.scene.caption, *layout.caption, typeface, colors);
+  } catch (const canvas::MissingGlyph& error) {
+    throw canvas::MissingGlyph(shot.place, error.what(), error.character());
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(shot.place, error.what(), error.remedy());
   }

@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"render --font ./file", 2, "font ./file: is not a TrueType or OpenType font"},
         Mistake{"render --title \u0646\u0635", 2,
                 "title: contains the character U+0646, which neither the font nor the built-in "
-                "sans can draw"},
+                "sans can draw\n  --font FILE takes a font that has it: fc-list :charset=646 lists "
+                "those that are installed; --title TEXT gives another title"},
         Mistake{"render --view quad --compare rk4,exact", 2, "compare: the view 'quad'"},
         Mistake{"render folder.toml", 5, "folder.toml"},
         Mistake{"render --size 16384x16384 --samples 64", 2, "samples"},

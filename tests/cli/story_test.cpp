@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string story = R"(
 [body]
@@ -143,6 +144,16 @@ TEST_F(Story, TakesOptionsThatMakeSenseForAllShots) {
     EXPECT_EQ(run.code, 2) << option;
     EXPECT_THAT(run.err, HasSubstr("each shot of story has its own"));
   }
+}
+
+TEST_F(Story, NamesTheProgramThatFindsAFontForACaption) {
+  std::string other = story;
+  write(other.replace(other.find("Three"), 5, "\u0646"));
+  const Outcome run = render("");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("caption: contains the character U+0646"));
+  EXPECT_THAT(run.err, HasSubstr("--font FILE takes a font that has it: fc-list :charset=646 "));
+  EXPECT_THAT(run.err, Not(HasSubstr("--title")));
 }
 
 TEST_F(Story, IsItsOwnMotionForOtherCommands) {

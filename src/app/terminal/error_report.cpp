@@ -147,6 +147,15 @@ ExitCode report(const Error& error) {
 }
 
 /// How the command could use less memory.
+std::string remedy_for_glyph(const canvas::MissingGlyph& error) {
+  const std::string font = fmt::format(
+      "--font FILE takes a font that has it: fc-list :charset={:x} lists those that are "
+      "installed",
+      static_cast<std::uint32_t>(error.character()));
+  if (error.quantity() != "title") return font;
+  return font + "; --title TEXT gives another title, and --hide hud none";
+}
+
 std::string remedy_for_memory(bool draws) {
   if (draws) return "use a smaller --size, fewer --samples or fewer --jobs";
   return "close other programs, or raise the limit on memory (ulimit -v)";
@@ -190,10 +199,7 @@ std::string remedy_for(const Error& error) {
   }
   if (is<interchange::AccuracyError>(error))
     return "take a larger --max-angle, or a shorter --duration";
-  if (is<canvas::MissingGlyph>(error)) {
-    return "--font FILE takes a font that has it; --title TEXT gives another title, and --hide hud "
-           "none";
-  }
+  if (const auto* glyph = as<canvas::MissingGlyph>(error)) return remedy_for_glyph(*glyph);
   return {};
 }
 
