@@ -113,8 +113,7 @@ void add_scenes(py::module_& module) {
             const py::gil_scoped_release others_run;
             return on_scene([&] {
               if (!language) return scene::load_scene(name);
-              const auto wanted = find_enumerator<scene::Language>(*language, "language");
-              return scene::load_scene(scene::story_in(wanted, name, "language"));
+              return scene::load_scene(scene::story_in(*language, name, "language"));
             });
           },
           py::arg("name"), py::arg("language") = py::none())

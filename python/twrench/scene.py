@@ -189,8 +189,9 @@ class Scene:
 
     :param source: name of a built-in scene, or path of a scene file or of a mesh in OBJ, STL, PLY
         or glTF. A mesh spins about its intermediate axis, or wobbles if it is symmetric.
-    :param language: code of the language of the words in the picture, en or nb. A built-in story is
-        also told in that language.
+    :param language: language of the words in the picture, en or nb. A built-in story is also told in
+        that language. Another tag of BCP 47, such as sv, is that of the captions; the picture's own
+        words are then in English.
     :param unit: unit of a mesh that is not glTF: mm, cm, m, inch or km.
     :param scale: centimetres per unit of a mesh, instead of ``unit``.
     :param weld: distance in cm up to which vertices of a mesh are joined.
@@ -219,7 +220,7 @@ class Scene:
     """
 
     title = _Value[str]()
-    language = _Value[LanguageName]()
+    language = _Value[str]()
     omega = _Value[Vector]()
     attitude = _Attitude("attitude")
     wheel = _Wheel()
@@ -271,7 +272,7 @@ class Scene:
         mass: float | None = None,
         body: Body = UNSET,
         title: str = UNSET,
-        language: LanguageName = UNSET,
+        language: LanguageName | str = UNSET,
         omega: Numbers = UNSET,
         attitude: Attitude = UNSET,
         wheel: Numbers = UNSET,

@@ -15,6 +15,7 @@
 
 #include "base/enumeration.h"
 #include "scene/fraction.h"
+#include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/materials.h"
 
@@ -164,6 +165,17 @@ Field background(Field field) {
   field.get = [](const Scene& scene) {
     return scene.look.transparent ? ordered_json(transparent_name) : to_json(scene.look.background);
   };
+  return field;
+}
+
+/// The tag determines two members, Scene::language_tag and Scene::language.
+Field language(Field field) {
+  field.form = {ValueForm::Kind::text};
+  field.help += listed(enumerator_names<Language>()) + ", otherwise English";
+  field.set = [](Scene& scene, const ordered_json& value, const std::string& what) {
+    set_language(scene, value.get<std::string>(), what);
+  };
+  field.get = [](const Scene& scene) { return to_json(scene.language_tag); };
   return field;
 }
 
@@ -323,9 +335,8 @@ const std::vector<Field>& fields() {
                   {"", "title", "TEXT", "title, a caption in the picture"}, any_text(),
                   [](auto& s) -> auto& { return s.title; }),
               &Origins::title),
-      choice<Language>(
-          {"", "language", "CODE", "language of the words in the picture"},
-          [](auto& s) -> auto& { return s.language; }),
+      language({"", "language", "TAG",
+                "language of the captions, as a tag of BCP 47, and of the words in the picture"}),
 
       complete<vector>(
           {"motion", "omega", "X,Y,Z", "initial angular velocity in body axes, rad/s"},

@@ -301,7 +301,9 @@ struct Scene {
   std::string name;
   /// Title shown in the picture; may be empty.
   std::string title;
-  /// Language of the words in the picture, except those that the scene gives.
+  /// Tag (BCP 47) of the language of the words that the scene gives, such as captions.
+  std::string language_tag = "en";
+  /// Language of the other words in the picture.
   Language language = Language::en;
   /// The rigid body.
   Body body;

@@ -146,6 +146,21 @@ TEST_F(Story, TakesOptionsThatMakeSenseForAllShots) {
   }
 }
 
+TEST_F(Story, MayBeInAnyLanguage) {
+  write("language = \"sv\"\n" + story);
+  const std::string draw = "render story.toml --frames 0 --no-video --overwrite --frames-dir f";
+  const Outcome run = run_twrench(folder, draw);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("note: the picture's own words, such as readouts, are in English, "
+                                 "not in 'sv'"));
+  EXPECT_EQ(manifest("f")["scene"]["language"], "sv");
+  EXPECT_THAT(run_twrench(folder, draw + " --language no").err, Not(HasSubstr("own words")));
+  EXPECT_EQ(manifest("f")["scene"]["language"], "nb");
+  const Outcome wrong = render("--language svenska");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--language: 'svenska' is not the tag of a language"));
+}
+
 TEST_F(Story, NamesTheProgramThatFindsAFontForACaption) {
   std::string other = story;
   write(other.replace(other.find("Three"), 5, "\u0646"));
@@ -183,7 +198,7 @@ TEST(BuiltInStory, HasCaptionsInAnotherLanguage) {
   EXPECT_TRUE(fs::exists(folder / "out/explain-nb/frame_000130.png"));
   const Outcome unknown = run_twrench(folder, command + "de");
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("twrench: error: --language: unknown name 'de'"));
+  EXPECT_THAT(unknown.err, HasSubstr("twrench: error: --language: explain is not told in 'de'"));
 }
 
 }  // namespace

@@ -432,7 +432,7 @@ def test_what_the_file_of_a_mesh_does_not_say(tmp_path):
         (file, {"unit": "mm", "mass": 1, "density": 1}, "mass: density determines it"),
         (file, {"unit": "mm", "density": -1}, "density: is -1, but must be"),
         (file, {"unit": "mm", "weld": "1"}, "weld: must be a number"),
-        (file, {"unit": "mm", "language": "de"}, "language: unknown name 'de'"),
+        (file, {"unit": "mm", "language": "d"}, "language: 'd' is not the tag of a language"),
         ("dzhanibekov", {"unit": "mm"}, "unit: is for a mesh"),
         (tmp_path / "empty.stl", {"unit": "mm"}, "it is empty"),
         (tmp_path / "none.stl", {"unit": "mm"}, "No such file"),

@@ -38,8 +38,11 @@ def test_a_built_in_story_has_captions_in_another_language():
     assert Scene("explain", language="nb").title == Scene("explain-nb").title == "Hvorfor det snur"
     assert Scene("explain-nb", language="en").name == "explain"
     assert Scene("explain", language="nb").language == "nb"
-    with pytest.raises(SceneError, match="^language: unknown name 'de'"):
-        Scene("explain", language="de")  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match="^language: explain is not told in 'de'"):
+        Scene("explain", language="de")
+    with pytest.raises(SceneError, match="^language: 'deutsch' is not the tag of a language"):
+        Scene("dzhanibekov", language="deutsch")
+    assert Scene("dzhanibekov", language="pt-BR").language == "pt-BR"
     with pytest.raises(SceneError, match="^language: explain-short is not told in 'nb'"):
         Scene("explain-short", language="nb")
     with pytest.raises(twrench.UsageError, match="language: must be a string"):

@@ -12,6 +12,7 @@
 #include "app/terminal/timing.h"
 #include "film/render_job.h"
 #include "image/picture_memory.h"
+#include "scene/languages.h"
 #include "scene/video_length.h"
 #include "system/termination.h"
 
@@ -51,6 +52,8 @@ void render(const RenderOptions& options) {
 
   Progress progress(options.progress);
   progress.note(scene::describe_video(scene));
+  const std::string language = scene::note_on_language(scene);
+  if (!language.empty()) progress.note(language);
   if (!job.note().empty()) progress.note(job.note());
   for (const std::string& warning : job.warnings()) progress.warn(warning);
   job.run([&](int done, int total) { progress.update(done, total); });

@@ -40,6 +40,7 @@ std::map<std::string, Candidates> other_values() {
       {"--methods", list(names_of("method"))},
       {"--hide", list(names_of("show"))},
       {"--shape", words(enumerator_names<scene::Equimomental>())},
+      {"--language", words(enumerator_names<scene::Language>())},
       {"--container", words(video::format_texts(&video::OutputFormat::ending))},
       {"--egl-device", words({"software"})},
       {"SCENE",

@@ -192,21 +192,18 @@ void SceneOptions::add_shape_option() {
 void SceneOptions::add_language_option() {
   const auto remember = [this](const std::string& text) {
     language_ = text;
-    overrides_.emplace_back([this](scene::Scene& scene) { scene.language = *language(); });
+    overrides_.emplace_back(
+        [text](scene::Scene& scene) { scene::set_language(scene, text, "--language"); });
   };
   command_
       .add_option_function<std::string>(
           "--language", remember,
-          fmt::format("language of the words in the picture, and of a built-in story: {}",
+          fmt::format("language of the words in the picture, and of a built-in story: {}; with "
+                      "another tag of BCP 47, that of the captions beside English words",
                       fmt::join(enumerator_names<scene::Language>(), " or ")))
-      ->type_name("CODE")
+      ->type_name("TAG")
       ->default_str("the scene's")
       ->group(heading(OptionGroup::overlays));
-}
-
-std::optional<scene::Language> SceneOptions::language() const {
-  if (!language_) return std::nullopt;
-  return find_enumerator<scene::Language>(*language_, "--language");
 }
 
 void SceneOptions::add_look_options() {
@@ -273,7 +270,7 @@ void SceneOptions::add_inputs(twrench::system::FileList& files) const {
 
 scene::Scene SceneOptions::load(const std::string& name) const {
   if (mesh::is_mesh_name(name)) return mesh_.scene(name);
-  return scene::load_scene(language_ ? scene::story_in(*language(), name, "--language") : name);
+  return scene::load_scene(language_ ? scene::story_in(*language_, name, "--language") : name);
 }
 
 void SceneOptions::set_length(scene::Scene& scene) const {

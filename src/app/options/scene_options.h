@@ -117,8 +117,6 @@ class SceneOptions {
   /// Adds the option for the language of the text.
   void add_language_option();
 
-  /// The language of the option, if it is given. Throws InvalidArgument if there is none such.
-  std::optional<scene::Language> language() const;
   /// Adds --shape, the solid that is drawn for a body given by its inertia.
   void add_shape_option();
   /// A scene without and with the overrides.
