@@ -71,10 +71,21 @@ def write_scenes(page: str, folder: Path) -> None:
         (folder / name).write_text(scene)
 
 
+def write_stl(file: Path) -> None:
+    """Writes a tetrahedron with three different moments of inertia."""
+    corners = [(0, 0, 0), (80, 0, 0), (0, 50, 0), (0, 0, 20)]
+    lines = ["solid bracket"]
+    for triangle in ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)):
+        vertices = [f"vertex {x} {y} {z}" for x, y, z in (corners[i] for i in triangle)]
+        lines += ["facet normal 0 0 0", "outer loop", *vertices, "endloop", "endfacet"]
+    file.write_text("\n".join([*lines, "endsolid bracket", ""]))
+
+
 @pytest.mark.parametrize("page", PAGES)
 def test_the_commands_of_a_page_run(page, tmp_path, template):
     write_scenes(page, tmp_path)
     shutil.copy(PROJECT / "assets/meshes/hammer-claws.obj", tmp_path / "bracket.obj")
+    write_stl(tmp_path / "bracket.stl")
     write_sound(tmp_path / "music.wav", 1)
     commands = sessions(page)
     assert len(commands) > 5
