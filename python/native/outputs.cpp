@@ -193,14 +193,16 @@ Texts write_report(const std::vector<ReportedScene>& scenes, Output& output,
                    const std::string& author, const std::string& date, bool is_static,
                    bool solves_tasks) {
   const std::string file = output.file.path().string();
-  const bool interactive = output.file.format().name == "html" && !is_static;
+  const bool wants_page = output.file.format().name == "html" && !is_static;
+  const std::string missing = wants_page ? page::note_on_missing_page() : std::string();
   plot::require_gnuplot(system::plot_output.formats.front());
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     std::vector<report::Experiment> experiments;
     for (const ReportedScene& scene : scenes) experiments.push_back(experiment_of(scene, stop));
     std::optional<report::Viewer> viewer;
     Texts notes;
-    if (interactive) {
+    if (!missing.empty()) notes.push_back(missing);
+    if (wants_page && missing.empty()) {
       const auto& [scene, original, source] = scenes.front();
       ScenePage page = page_of(scene, original, report::argument_of(source.front()),
                                Texts(source.begin() + 1, source.end()), {}, false, stop);

@@ -76,6 +76,16 @@ void suit_flips(scene::Scene& scene) {
   }
 }
 
+constexpr const char* no_page = "this build does not include the page";
+constexpr const char* remedy_for_no_page = "run scripts/maintain/page.sh, which adds it";
+
+/// The page without a scene; empty if this build has none.
+std::string_view built_in_page() {
+  const auto& files = embedded::page();
+  const auto found = files.find("page.html");
+  return found == files.end() ? std::string_view() : found->second;
+}
+
 }  // namespace
 
 std::string page_template(const std::string& file) {
@@ -84,11 +94,13 @@ std::string page_template(const std::string& file) {
     const auto bytes = system::read_regular_file(file, most_bytes);
     return {bytes.begin(), bytes.end()};
   }
-  const auto& files = embedded::page();
-  const auto found = files.find("page.html");
-  if (found != files.end()) return std::string(found->second);
-  throw system::FileError("page", "this build does not include the page",
-                          "run scripts/maintain/page.sh, which adds it");
+  if (const auto found = built_in_page(); !found.empty()) return std::string(found);
+  throw system::FileError("page", no_page, remedy_for_no_page);
+}
+
+std::string note_on_missing_page() {
+  if (!built_in_page().empty()) return {};
+  return fmt::format("{}, so the report is static; {}", no_page, remedy_for_no_page);
 }
 
 scene::Scene shown_scene(scene::Scene scene) {

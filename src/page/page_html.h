@@ -12,6 +12,10 @@ namespace twrench::page {
 /// built in.
 std::string page_template(const std::string& file);
 
+/// Returns a note for a report that should contain a page and cannot, because this build has none;
+/// empty if it has one.
+std::string note_on_missing_page();
+
 /// The scene of a page.
 struct PageScene {
   /// The scene that is shown.

@@ -87,7 +87,10 @@ void write_report(const ReportOptions& options) {
   options.scenes.add_inputs(files);
   const system::OutputFile file = options.output.add_to(files);
   plot::require_gnuplot(system::plot_output.formats.front());
-  const bool interactive = file.format().name == "html" && !options.is_static;
+  const bool wants_page = file.format().name == "html" && !options.is_static;
+  const std::string missing = wants_page ? page::note_on_missing_page() : std::string();
+  if (!missing.empty()) say("twrench: note: {}\n", missing);
+  const bool interactive = wants_page && missing.empty();
   const std::string empty = interactive ? page::page_template({}) : std::string();
   const std::vector<report::Experiment> experiments = experiments_of(options);
   const report::Document document = document_of(options, experiments);
