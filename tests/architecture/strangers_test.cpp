@@ -56,5 +56,13 @@ TEST(Strangers, RunScriptsThatAreThere) {
   EXPECT_GE(scripts, 20);
 }
 
+TEST(Strangers, RunEveryCommandInTheContainer) {
+  const std::string container = text_of("Dockerfile");
+  EXPECT_THAT(container, HasSubstr("\nENTRYPOINT [\"twrench\"]\n"));
+  EXPECT_THAT(container, HasSubstr(" gnuplot-nox "));  // for plot and report
+  EXPECT_THAT(text_of("docs/install.md"),
+              HasSubstr("docker run --rm -v \"$PWD:/out\" twrench render"));
+}
+
 }  // namespace
 }  // namespace twrench
