@@ -49,6 +49,7 @@ TEST_F(Report, SolvesEveryTaskUnlessASceneIsGiven) {
   EXPECT_EQ(count(all, "<svg"), 4U);
   EXPECT_EQ(count(all, "<math "), 15U);
   EXPECT_THAT(all, Not(HasSubstr("<iframe")));
+  EXPECT_THAT(all, ContainsRegex("@page [^\n]*counter\\(page\\)"));  // browsers number the pages
 }
 
 TEST_F(Report, HasThePageOfTheMotionInAFrame) {
