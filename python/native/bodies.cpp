@@ -124,6 +124,14 @@ Body body_from_moments(const Vector3d& moments, const std::string& shape) {
   return body_from_inertia(moments.asDiagonal(), shape);
 }
 
+std::vector<std::string> body_notes(const Body& body) {
+  std::vector<std::string> notes = mesh_notes(body.description);
+  if (!body.description.inertia) return notes;
+  const auto note = scene::unreal_moments_note("Body", *body.description.inertia);
+  if (note) notes.push_back(*note);
+  return notes;
+}
+
 }  // namespace
 
 void add_bodies(py::module_& module) {
@@ -143,7 +151,7 @@ void add_bodies(py::module_& module) {
       .def_static("from_moments", &body_from_moments)
       .def_static("from_inertia", &body_from_inertia)
       .def(py::pickle([](const Body& b) -> py::object { return state_of(b); }, &body_with))
-      .def_property_readonly("notes", [](const Body& b) { return mesh_notes(b.description); })
+      .def_property_readonly("notes", &body_notes)
       .def_property_readonly("mass", [](const Body& b) { return b.properties.mass; })
       .def_property_readonly("centre_of_mass",
                              [](const Body& b) { return b.properties.centre_of_mass; })

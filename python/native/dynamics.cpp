@@ -11,10 +11,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/enumeration.h"
 #include "interruptible.h"
@@ -43,27 +43,25 @@ std::span<double> numbers_of(Array& array) {
   return {array.mutable_data(), static_cast<std::size_t>(array.size())};
 }
 
-/// Views of the samples' X and omega as arrays (n, 3, 3) and (n, 3), which own the samples.
-py::tuple views_of(std::vector<motion::Sample> samples) {
-  auto owned = std::make_unique<std::vector<motion::Sample>>(std::move(samples));
-  const auto* first = owned->data();
-  const auto count = static_cast<py::ssize_t>(owned->size());
-  const py::capsule owner(owned.release(), [](void* memory) {
-    delete static_cast<std::vector<motion::Sample>*>(memory);
-  });
-  if (count == 0) return py::make_tuple(new_array({0, 3, 3}), new_array({0, 3}));
-  constexpr py::ssize_t number = sizeof(double), step = sizeof(motion::Sample);
-  return py::make_tuple(
-      py::array_t<double>({count, py::ssize_t{3}, py::ssize_t{3}}, {step, number, 3 * number},
-                          first->X.data(), owner),
-      py::array_t<double>({count, py::ssize_t{3}}, {step, number}, first->omega.data(), owner));
+/// The samples' X and omega as arrays (n, 3, 3) and (n, 3).
+std::pair<Array, Array> arrays_of(const std::vector<motion::Sample>& samples) {
+  const auto count = static_cast<py::ssize_t>(samples.size());
+  Array X = new_array({count, 3, 3}), omega = new_array({count, 3});
+  double *X_to = X.mutable_data(), *omega_to = omega.mutable_data();
+  for (const motion::Sample& sample : samples) {
+    Eigen::Map<RowMajor>{X_to} = sample.X;
+    Eigen::Map<Vector3d>{omega_to} = sample.omega;
+    X_to += 9;
+    omega_to += 3;
+  }
+  return {X, omega};
 }
 
 py::tuple integrate(const motion::FreeBody& body, const std::string& method, double step,
                     double tolerance, std::int64_t max_steps, const Array& times) {
   const std::span<const double> t = numbers_of(times);
   const motion::Method& found = motion::find_method(method);
-  motion::Trajectory result = run_interruptibly([&](const std::atomic<bool>& stop) {
+  const motion::Trajectory result = run_interruptibly([&](const std::atomic<bool>& stop) {
     return motion::integrate(body, found, {step, tolerance, max_steps, &stop}, t);
   });
   const auto later = [](const motion::Sample& a, const motion::Sample& b) {
@@ -72,8 +70,8 @@ py::tuple integrate(const motion::FreeBody& body, const std::string& method, dou
   const auto last = std::ranges::max_element(result.samples, later);
   const std::string note =
       last == result.samples.end() ? std::string() : motion::visible_error(body, found, *last);
-  const py::tuple views = views_of(std::move(result.samples));
-  return py::make_tuple(views[0], views[1], result.steps, result.evaluations, note);
+  const auto [X, omega] = arrays_of(result.samples);
+  return py::make_tuple(X, omega, result.steps, result.evaluations, note);
 }
 
 /// Calls work(begin, end) for parts of 0 to `count` without Python's global lock, and runs Python's

@@ -91,6 +91,15 @@ Scene scene_of_mesh(const std::string& file, std::optional<double> scale,
   });
 }
 
+std::vector<std::string> scene_notes(const Scene& scene) {
+  std::vector<std::string> notes = mesh_notes(scene);
+  if (!scene.body.inertia) return notes;
+  if (const auto note = scene::unreal_moments_note(scene.name, *scene.body.inertia)) {
+    notes.push_back(*note);
+  }
+  return notes;
+}
+
 }  // namespace
 
 void add_scenes(py::module_& module) {
@@ -137,7 +146,7 @@ void add_scenes(py::module_& module) {
                     [](Scene& scene, const Body& body) {
                       on_scene([&] { scene::set_body(scene, body.description); });
                     })
-      .def("notes", [](const Scene& scene) { return mesh_notes(scene); })
+      .def("notes", &scene_notes)
       .def("input_files", &scene::input_files)
       .def("has_shots", [](const Scene& s) { return !s.shots.empty(); })
       .def("video_length", &Scene::video_length)

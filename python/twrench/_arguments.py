@@ -77,7 +77,9 @@ SPELLINGS = "np.linspace(0, 10, n) for n times, or span=(0, 10), fps=60 for even
 
 
 def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: Rate | None = None) -> Array:
-    """The times of samples: the given ones, or ``fps`` per second over a span with both ends."""
+    """The times of samples: the given ones, or ``fps`` per second over a span with both ends.
+
+    A single number is an array without dimensions."""
     if value is None and span is None:
         raise UsageError(f"times: must be given, or a span: {SPELLINGS}")
     if span is not None:
@@ -92,7 +94,9 @@ def times(value: ArrayLike | None, span: ArrayLike | None = None, fps: Rate | No
             "or a list for exactly two times"
         )
     assert value is not None
-    return array("times", value, (None,), "a one-dimensional array of times in s")
+    is_single = isinstance(value, (int, float, np.number)) or getattr(value, "ndim", None) == 0
+    shape: tuple[int | None, ...] = () if is_single else (None,)
+    return array("times", value, shape, "a time or a one-dimensional array of times in s")
 
 
 def _span_times(span: ArrayLike, fps: float) -> Array:
@@ -190,6 +194,15 @@ def text(name: str, value: Any) -> str:
     except UnicodeEncodeError as error:
         raise UsageError(f"{name}: has half of a surrogate pair: {brief(value)}") from error
     return value
+
+
+def euler_sequence(name: str, value: Any) -> str:
+    """Three axes of Euler angles, as in SciPy: x, y and z in the fixed axes of space, X, Y and Z in
+    axes that turn with the body. The second differs from the two others."""
+    axes = text(name, value)
+    if re.fullmatch("[xyz]{3}|[XYZ]{3}", axes) is None or axes[1] in (axes[0], axes[2]):
+        raise UsageError(f"{name}: must be three axes such as 'zyx' or 'ZYX', not {brief(axes)}")
+    return axes
 
 
 def path(name: str, value: Any) -> str:

@@ -9,7 +9,7 @@ from typing import Literal, Protocol, Sequence, cast
 
 import numpy as np
 
-from . import _arguments, _native
+from . import _arguments, _native, _tables
 from ._arguments import Array
 from .errors import UsageError
 from .names import Numbers, Rows, ShapeName, StrPath
@@ -73,7 +73,7 @@ class Body:
     :raises UsageError: for a length, a density, a moment or a mesh that no body has.
     :raises FileError: if the file of a mesh cannot be read.
 
-    Repairs to a mesh are reported as warnings.
+    Repairs to a mesh, and moments that no real body has, are reported as warnings.
 
     >>> body = Body(moments=[1, 2, 3])
     >>> body.principal_moments
@@ -99,13 +99,13 @@ class Body:
         form = _arguments.text("shape", "box" if shape is None else shape)
         if parts is not None:
             self._native = _native.Body.from_parts(native_parts(parts))
-            for note in self._native.notes:
-                warnings.warn(note, stacklevel=2)
         elif moments is not None:
             self._native = _native.Body.from_moments(_arguments.vector("moments", moments), form)
         elif inertia is not None:
             matrix = _arguments.inertia("inertia", inertia)
             self._native = _native.Body.from_inertia(matrix, form)
+        for note in self._native.notes:
+            warnings.warn(note, stacklevel=2)
 
     @classmethod
     def from_scene(cls, scene: StrPath | HasBody) -> Body:
@@ -194,10 +194,19 @@ class Body:
         rate = _arguments.number("omega", omega)
         return _native.stabilizing_wheel(self.principal_moments, rate)
 
-    def __repr__(self) -> str:
+    def _properties(self) -> dict[str, str]:
+        """The mass, if it is known, and the principal moments, in words."""
         moments = ", ".join(f"{moment:.6g}" for moment in self.principal_moments)
-        mass = "" if self.mass != self.mass else f"mass {self.mass:.6g} g, "
-        return f"<twrench.Body: {mass}principal moments {moments} g cm^2>"
+        mass = {} if self.mass != self.mass else {"mass": f"{self.mass:.6g} g"}
+        return mass | {"principal moments": f"{moments} g cm^2"}
+
+    def __repr__(self) -> str:
+        properties = ", ".join(f"{name} {value}" for name, value in self._properties().items())
+        return f"<twrench.Body: {properties}>"
+
+    def _repr_html_(self) -> str:
+        """A table of its properties for notebooks."""
+        return _tables.of_properties(self._properties())
 
 
 def _stability(kind: str, rate: float) -> Stability:

@@ -7,7 +7,7 @@ import tempfile
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Iterator, Literal, Mapping, Sequence, TypeVar, Union, overload
+from typing import Any, Iterator, Literal, Mapping, Protocol, Sequence, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
-from .errors import Error, UsageError, argument_names
+from .errors import Error, UsageError, argument_names, as_arguments
 from .motion import Motion
 from .names import Numbers, StrPath
 from .published import case as published_case
@@ -30,8 +30,18 @@ AngleUnit = Literal["rad", "deg"]
 Finding = Literal[
     "exact", "noise", "convention", "start", "body", "law", "inconsistent", "integration"
 ]
-#: A file, a motion, or a mapping of names to columns.
-Recording = Union[StrPath, Motion, Mapping[str, Numbers]]
+
+
+class DataFrame(Protocol):
+    """A table with named columns, such as a DataFrame of pandas."""
+
+    @property
+    def columns(self) -> Any: ...
+    def __getitem__(self, name: Any, /) -> Any: ...
+
+
+#: A file, a motion, an array (n, k), or columns with names.
+Recording = Union[StrPath, Motion, Mapping[str, Numbers], DataFrame, NDArray[Any]]
 R = TypeVar("R", bound=Recording)
 #: Several recordings.
 Recordings = Union["list[R]", "tuple[R, ...]"]
@@ -59,7 +69,7 @@ class Check:
     passes: bool
     #: The kind of the verdict.
     finding: Finding
-    #: The verdict in one line. Options such as ``--units deg`` are arguments of the same names.
+    #: The verdict in one line, with the arguments that it recommends.
     verdict: str
     #: The number of rows.
     rows: int
@@ -127,7 +137,7 @@ def check(
     omega_at: float | Literal["first"] = ...,
     fit: bool = ...,
     frame: FrameSource = ...,
-    columns: Mapping[str, str] | None = ...,
+    columns: Mapping[str, str] | Sequence[str] | None = ...,
     time_unit: TimeUnit | None = ...,
     units: RateUnit | None = ...,
     angle_units: AngleUnit | None = ...,
@@ -155,7 +165,7 @@ def check(
     omega_at: float | Literal["first"] = ...,
     fit: bool = ...,
     frame: FrameSource = ...,
-    columns: Mapping[str, str] | None = ...,
+    columns: Mapping[str, str] | Sequence[str] | None = ...,
     time_unit: TimeUnit | None = ...,
     units: RateUnit | None = ...,
     angle_units: AngleUnit | None = ...,
@@ -182,7 +192,7 @@ def check(
     omega_at: float | Literal["first"] = 0.0,
     fit: bool = False,
     frame: FrameSource = "first",
-    columns: Mapping[str, str] | None = None,
+    columns: Mapping[str, str] | Sequence[str] | None = None,
     time_unit: TimeUnit | None = None,
     units: RateUnit | None = None,
     angle_units: AngleUnit | None = None,
@@ -199,8 +209,9 @@ def check(
 ) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
-    :param data: a CSV, TSV, JSON or .npy file; a :class:`Motion`; or a mapping of names to columns,
-        each (n,), such as ``{"t": t, "wx": wx, "wy": wy, "wz": wz}``: times, and rates, attitudes or
+    :param data: a CSV, TSV, JSON or .npy file; a :class:`Motion`; or columns: a mapping of names to
+        arrays (n,), such as ``{"t": t, "wx": wx, "wy": wy, "wz": wz}``, a data frame of pandas, or an
+        array (n, k) whose columns ``columns`` names. The columns are times, and rates, attitudes or
         both. A list or tuple of such recordings gives a :class:`Checks`, with the order of the method.
     :param body: the body, unless ``case`` gives it.
     :param steps: step sizes of the recordings in s, (m,); None for the mean times between rows.
@@ -212,12 +223,15 @@ def check(
     :param frame: how to determine the space frame of the data: from the first row, or from the mean
         direction of the momentum.
     :param columns: the columns of the data for our names: t, wx to wz, x11 to x33, qw to qz, yaw,
-        pitch and roll; None to detect them by their names.
+        pitch and roll; None to detect them by their names. For arrays, the names of all columns, (k,),
+        such as ``["t", "wx", "wy", "wz"]``.
     :param time_unit: unit of the times; None for the unit stated in the data, or s.
     :param units: unit of angles and, per second, of rates; None for the unit stated in the data, or
         rad.
     :param angle_units: unit of Euler angles alone.
-    :param sequence: axes of Euler angles in the order of the rotations, such as "zyx".
+    :param sequence: axes of Euler angles in the order of the rotations, as in :meth:`Motion.euler`:
+        in capital letters, such as "ZYX", they turn with the body; in lower case, such as "xyz", they
+        are the fixed axes of space. The command line's ``zyx`` is "ZYX".
     :param inverse: whether the attitude is body_from_space.
     :param rates: the axes along which the rates are given.
     :param axes: the body's axes along which the data's x, y and z point, such as "x,-z,y".
@@ -239,12 +253,15 @@ def check(
     turn = None
     if offset is not None:
         turn = _arguments.array("offset", offset, (4,), "a quaternion (w, x, y, z)")
+    of_array = None
+    if columns is not None and not isinstance(columns, Mapping):
+        of_array = _arguments.sequence("columns", columns, "a mapping or a list of names")
     options = {
-        "columns": "" if columns is None else _columns_text(columns),
+        "columns": _columns_text(columns) if isinstance(columns, Mapping) else "",
         "time_unit": _name("time_unit", time_unit),
         "units": _name("units", units),
         "angle_units": _name("angle_units", angle_units),
-        "sequence": _name("sequence", sequence),
+        "sequence": "" if sequence is None else _sequence_of_program(sequence),
         "rates": _arguments.text("rates", rates),
         "axes": _name("axes", axes),
         "frame": _arguments.text("frame", frame),
@@ -267,15 +284,17 @@ def check(
     if not recordings:
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
-    with _files(names, recordings) as files, argument_names():
+    tables = [
+        _table_of(name, recording, of_array) for name, recording in zip(names, recordings)
+    ]
+    with _files(names, recordings, tables) as files, argument_names():
         figure = None
         if plot is not None:
             path = Path(_arguments.path("plot", plot))
             inputs = [Path(file) for file in files]
             figure = _native.Output("plot", path, inputs, bool(overwrite), "")
         shown = [
-            name if isinstance(recording, (Motion, Mapping)) else file
-            for name, recording, file in zip(names, recordings, files)
+            file if table is None else name for name, table, file in zip(names, tables, files)
         ]
         of_all, of_each = _native.check(
             files,
@@ -297,6 +316,8 @@ def check(
     order = {"rates": None, "attitude": None, "why_not": None}
     if len(results) > 1:
         order = json.loads(of_all.json)["order"]
+        if order["why_not"] is not None:
+            order["why_not"] = as_arguments(order["why_not"])
     return Checks(results, CheckOrder(**order), of_all.text, of_all.junit)
 
 
@@ -321,16 +342,18 @@ def _step_sizes(steps: Numbers, count: int) -> list[float]:
 
 
 @contextmanager
-def _files(names: list[str], recordings: Sequence[Any]) -> Iterator[list[str]]:
-    """The files of recordings. Those of arrays are temporary, and error messages show the names."""
+def _files(
+    names: list[str], recordings: Sequence[Any], tables: Sequence[NDArray[np.void] | None]
+) -> Iterator[list[str]]:
+    """The files of recordings. Those of tables are temporary, and error messages show the names."""
     with tempfile.TemporaryDirectory(prefix="twrench-") as folder:
         files = []
-        for i, (name, recording) in enumerate(zip(names, recordings)):
-            if isinstance(recording, (Motion, Mapping)):
-                files.append(str(Path(folder) / f"{i}.npy"))
-                _write_table(files[i], _table_of(name, recording))
-            else:
+        for i, (name, recording, table) in enumerate(zip(names, recordings, tables)):
+            if table is None:
                 files.append(_arguments.path(name, recording))
+            else:
+                files.append(str(Path(folder) / f"{i}.npy"))
+                _write_table(files[i], table)
         try:
             yield files
         except Error as error:
@@ -342,13 +365,26 @@ def _files(names: list[str], recordings: Sequence[Any]) -> Iterator[list[str]]:
             raise type(error)(message, remedy) from None
 
 
+def _sequence_of_program(sequence: str) -> str:
+    """The sequence of the program, whose axes turn with the body."""
+    axes = _arguments.euler_sequence("sequence", sequence)
+    if axes.isupper():
+        return axes.lower()
+    # Rotations about fixed axes are the reverse ones about axes that turn with the body. Each axis
+    # keeps its angle, unless two angles are about the same axis.
+    if axes[0] == axes[2]:
+        raise UsageError(
+            f"sequence: cannot be {axes!r}, with fixed axes",
+            f"exchange the first and the third angle, and use {axes.upper()!r}",
+        )
+    return axes[::-1]
+
+
 def _name(name: str, value: str | None) -> str:
     return "" if value is None else _arguments.text(name, value)
 
 
 def _columns_text(columns: Mapping[str, str]) -> str:
-    if not isinstance(columns, Mapping):
-        raise UsageError(f"columns: must be a mapping of names, not {_arguments.brief(columns)}")
     quoted = {
         _arguments.text("columns", ours): _arguments.text("columns", theirs).replace('"', '""')
         for ours, theirs in columns.items()
@@ -356,26 +392,76 @@ def _columns_text(columns: Mapping[str, str]) -> str:
     return ",".join(f'{ours}="{theirs}"' for ours, theirs in quoted.items())
 
 
-def _table_of(name: str, data: Motion | Mapping[str, Numbers]) -> NDArray[np.void]:
-    """The columns as a structured array of NumPy."""
+def _table_of(name: str, data: Any, of_array: list[Any] | None) -> NDArray[np.void] | None:
+    """The columns of a recording as a structured array of NumPy; None for a file. `of_array` are the
+    names of an array's columns."""
+    is_array = isinstance(data, np.ndarray) and data.dtype.names is None
+    if of_array is not None and not is_array:
+        raise UsageError(
+            f"columns: must be a mapping of our names to those of {name}, "
+            f"not {_arguments.brief(of_array)}"
+        )
+    if is_array:
+        return _structured(name, _columns_of_array(name, data, of_array))
+    if isinstance(data, np.ndarray):
+        return _structured(name, _columns_of_mapping(name, {key: data[key] for key in data.dtype.names}))
+    if isinstance(data, Mapping):
+        return _structured(name, _columns_of_mapping(name, data))
     if isinstance(data, Motion):
-        if not data._free_body.is_rigid:
-            raise UsageError(
-                f"{name}: a check needs the closed form of a rigid body's motion",
-                "use a body without a wheel and energy loss",
-            )
-        columns = {"t": data.t}
-        for i in range(3):
-            columns |= {f"x{i + 1}{j + 1}": data.X[:, i, j] for j in range(3)}
-        columns |= {f"w{axis}": data.omega[:, i] for i, axis in enumerate("xyz")}
-    else:
-        form = "a one-dimensional array of numbers"
-        if not data:
-            raise UsageError(f"{name}: must have columns")
-        columns = {
-            _arguments.text(name, key): _arguments.array(f"{name}[{key!r}]", value, (None,), form)
-            for key, value in data.items()
-        }
+        return _structured(name, _columns_of_motion(name, data))
+    if hasattr(data, "columns"):
+        return _structured(name, _columns_of_frame(data))
+    return None
+
+
+def _columns_of_motion(name: str, motion: Motion) -> dict[str, Array]:
+    if not motion._free_body.is_rigid:
+        raise UsageError(
+            f"{name}: a check needs the closed form of a rigid body's motion",
+            "use a body without a wheel and energy loss",
+        )
+    t, X, omega = motion._samples()
+    columns = {"t": t}
+    for i in range(3):
+        columns |= {f"x{i + 1}{j + 1}": X[:, i, j] for j in range(3)}
+    return columns | {f"w{axis}": omega[:, i] for i, axis in enumerate("xyz")}
+
+
+def _columns_of_mapping(name: str, data: Mapping[Any, Any]) -> dict[str, Array]:
+    form = "a one-dimensional array of numbers"
+    return {
+        _arguments.text(name, key): _arguments.array(f"{name}[{key!r}]", value, (None,), form)
+        for key, value in data.items()
+    }
+
+
+def _columns_of_array(name: str, data: Any, names: list[Any] | None) -> dict[str, Array]:
+    """Without names they are those of a file without names: #1, #2 ..."""
+    numbers = _arguments.array(name, data, (None, None), "an array of numbers of shape (n, k)")
+    count = numbers.shape[1]
+    if names is None:
+        names = [f"#{i + 1}" for i in range(count)]
+    if len(names) != count or len(set(map(str, names))) != count:
+        raise UsageError(
+            f"columns: must be {count} different names for the columns of {name}, "
+            f"not {_arguments.brief(names)}"
+        )
+    return {_arguments.text("columns", key): numbers[:, i] for i, key in enumerate(names)}
+
+
+def _columns_of_frame(data: Any) -> dict[str, Array]:
+    """The columns of numbers. Those that the check does not use may have any values."""
+    columns = {str(label): np.asarray(data[label]) for label in data.columns}
+    return {
+        label: np.asarray(column, dtype=np.float64)
+        for label, column in columns.items()
+        if column.dtype.kind in "fiu" and column.ndim == 1
+    }
+
+
+def _structured(name: str, columns: dict[str, Array]) -> NDArray[np.void]:
+    if not columns:
+        raise UsageError(f"{name}: must have columns")
     if "" in columns:
         raise UsageError(f"{name}: has a column without a name")
     lengths = {len(column) for column in columns.values()}
@@ -402,7 +488,7 @@ def _result(reports: _native.CheckReports) -> Check:
     return Check(
         passes=found["passes"],
         finding=found["finding"],
-        verdict=found["verdict"],
+        verdict=as_arguments(found["verdict"]),
         rows=found["rows"],
         rates=size("rates"),
         attitude=size("attitude"),

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-from . import _arguments, _native
+from . import _arguments, _native, _tables
 from ._arguments import Array
 from .body import Body
 from .errors import UsageError
@@ -67,7 +67,11 @@ _DIAGNOSTICS = ("energy", "energy_drift", "orthogonality_error", "momentum_error
 
 
 class Motion:
-    """A motion at n times, as NumPy arrays, with the given attitude and angular velocity at t = 0."""
+    """A motion at n times, as NumPy arrays, with the given attitude and angular velocity at t = 0.
+
+    ``motion[i]`` is the sample i, and ``motion[a:b]`` the motion at some of the times. The arrays of
+    a single sample, also of the motion at a single time, lack the dimension n.
+    """
 
     def __init__(
         self,
@@ -96,28 +100,56 @@ class Motion:
     def __len__(self) -> int:
         return len(self.t)
 
-    def __repr__(self) -> str:
+    def __getitem__(self, index: Any) -> Motion:
+        """The motion at some of its times.
+
+        :param index: an integer, a slice, an array of integers, or a mask (n,), as in NumPy.
+        :raises IndexError: for an index that an array of n numbers does not have.
+        """
+        t = np.asarray(np.asarray(self.t)[index], dtype=np.float64)
+        if t.ndim > 1:
+            raise IndexError("a motion has one dimension")
+        X, omega = (np.asarray(array[index], dtype=np.float64) for array in (self.X, self.omega))
+        return Motion(self._free_body, t, X, omega, self.method, self.steps, self.evaluations)
+
+    def _summary(self) -> str:
+        """The number of samples and their times, such as "61 samples from 0 to 1 s"."""
+        if np.ndim(self.t) == 0:
+            return f"one sample at {self.t:g} s"
         if len(self) == 0:
-            return f"<twrench.Motion: no samples, {self.method}>"
-        return (
-            f"<twrench.Motion: {len(self)} samples from {self.t.min():g} to {self.t.max():g} s, "
-            f"{self.method}>"
+            return "no samples"
+        return f"{len(self)} samples from {self.t.min():g} to {self.t.max():g} s"
+
+    def __repr__(self) -> str:
+        return f"<twrench.Motion: {self._summary()}, {self.method}>"
+
+    def _repr_html_(self) -> str:
+        """A table of its properties for notebooks."""
+        return _tables.of_properties(
+            {
+                "motion": self._summary(),
+                "method": self.method,
+                "largest energy drift": _largest(self.energy_drift),
+                "largest momentum error": _largest(self.momentum_error),
+                "largest orthogonality error": _largest(self.orthogonality_error),
+            }
         )
 
     def _samples(self) -> tuple[Array, Array, Array]:
-        """t, X and omega for native functions, which rely on their shapes. A caller may have
-        replaced them."""
-        n = len(self.t)
+        """t, X and omega for native functions, which rely on their shapes: (n,), (n, 3, 3) and
+        (n, 3), n = 1 for a single sample. A caller may have replaced them."""
+        shape = np.shape(self.t)
         return (
-            _contiguous("t", self.t, (n,)),
-            _contiguous("X", self.X, (n, 3, 3)),
-            _contiguous("omega", self.omega, (n, 3)),
+            _contiguous("t", self.t, shape).reshape(-1),
+            _contiguous("X", self.X, (*shape, 3, 3)).reshape(-1, 3, 3),
+            _contiguous("omega", self.omega, (*shape, 3)).reshape(-1, 3),
         )
 
     @cached_property
     def _diagnostics(self) -> tuple[Array, ...]:
         _, X, omega = self._samples()
-        return tuple(_native.diagnose(self._free_body, X, omega))
+        shape = np.shape(self.t)
+        return tuple(each.reshape(shape) for each in _native.diagnose(self._free_body, X, omega))
 
     @property
     def energy(self) -> Array:
@@ -157,12 +189,12 @@ class Motion:
 
         The sign of each quaternion is the one nearer to the previous sample.
         """
-        return _native.quaternions(self._samples()[1])
+        return _native.quaternions(self._samples()[1]).reshape(*np.shape(self.t), 4)
 
     @property
     def quaternion_wxyz(self) -> Array:
         """X as unit quaternions (w, x, y, z), (n, 4): the order of most of the literature."""
-        return np.roll(self.quaternion_xyzw, 1, axis=1)
+        return np.roll(self.quaternion_xyzw, 1, axis=-1)
 
     @property
     def rotation(self) -> Rotation:
@@ -174,19 +206,15 @@ class Motion:
     def euler(self, sequence: str, degrees: bool = False) -> Array:
         """X as Euler angles in rad, (n, 3), by SciPy's ``Rotation.as_euler``.
 
-        :param sequence: three axes, such as ``"zyx"``: lower-case letters are fixed axes of space,
-            capital letters axes that turn with the body.
+        :param sequence: three axes: in capital letters, such as ``"ZYX"``, they turn with the body;
+            in lower case, such as ``"zyx"``, they are the fixed axes of space.
         :param degrees: whether the angles are in degrees.
         :raises UsageError: for an invalid ``sequence``.
 
         Raises ImportError if SciPy is not installed.
         """
-        rotation, axes = self.rotation, _arguments.text("sequence", sequence)
-        try:
-            return np.asarray(rotation.as_euler(axes, bool(degrees)), dtype=np.float64)
-        except ValueError as error:
-            message = f"sequence: must be three axes such as 'zyx' or 'ZYX', not {axes!r}"
-            raise UsageError(message) from error
+        axes = _arguments.euler_sequence("sequence", sequence)
+        return np.asarray(self.rotation.as_euler(axes, bool(degrees)), dtype=np.float64)
 
     def save(self, path: StrPath, *, overwrite: bool = False) -> Path:
         """Writes the motion to a file, complete or not at all, and returns its path.
@@ -217,20 +245,25 @@ class Motion:
         """
         import pandas
 
-        columns: dict[str, Any] = {"t": self.t}
+        t, X, omega = self._samples()
+        columns: dict[str, Any] = {"t": t}
         for i in range(3):
             for j in range(3):
-                columns[f"X{i + 1}{j + 1}"] = self.X[:, i, j]
+                columns[f"X{i + 1}{j + 1}"] = X[:, i, j]
         for i, axis in enumerate("xyz"):
-            columns[f"omega_{axis}"] = self.omega[:, i]
+            columns[f"omega_{axis}"] = omega[:, i]
         for name in _DIAGNOSTICS:
-            columns[name] = getattr(self, name)
+            columns[name] = getattr(self, name).reshape(-1)
         return pandas.DataFrame(columns)
+
+
+def _largest(errors: Array) -> str:
+    return f"{np.abs(errors).max():.1e}" if errors.size else "none"
 
 
 def _contiguous(name: str, value: Any, shape: tuple[int, ...]) -> Array:
     try:
-        array = np.ascontiguousarray(value, dtype=np.float64)
+        array = np.asarray(value, dtype=np.float64, order="C")
     except (TypeError, ValueError) as error:
         raise UsageError(f"{name}: must be an array, not {_arguments.brief(value)}") from error
     if array.shape != shape:
@@ -261,7 +294,7 @@ def _free_body(
 def simulate(
     body: Body,
     omega: Numbers,
-    times: Numbers | None = None,
+    times: Numbers | float | None = None,
     method: MethodName | None = None,
     *,
     span: Numbers | None = None,
@@ -277,7 +310,7 @@ def simulate(
 
     :param body: the body.
     :param omega: angular velocity at t = 0 in body axes in rad/s, (3,).
-    :param times: times in s, (n,), in any order and of either sign.
+    :param times: times in s, (n,), in any order and of either sign; or a single one.
     :param method: name of one of :func:`methods`; None for ``exact``, or ``taylor`` for a body with
         a wheel or energy loss.
     :param span: in place of ``times``, (start, end) in s, both of which are sampled.
@@ -306,8 +339,9 @@ def simulate(
         _arguments.positive("step", step),
         _arguments.positive("tolerance", tolerance),
         _arguments.whole("max_steps", max_steps, 1, 2**62),
-        t,
+        t.reshape(-1),
     )
+    X, velocity = X.reshape(*t.shape, 3, 3), velocity.reshape(*t.shape, 3)
     if note:
         warnings.warn(note, stacklevel=2)
     return Motion(free_body, t, X, velocity, name, steps, evaluations)
@@ -377,20 +411,21 @@ class ExactMotion:
 
     def at(
         self,
-        times: Numbers | None = None,
+        times: Numbers | float | None = None,
         *,
         span: Numbers | None = None,
         fps: Rate | None = None,
     ) -> Motion:
         """The motion at given times, in any order and of either sign.
 
-        :param times: times in s, (n,).
+        :param times: times in s, (n,); or a single one, whose arrays lack that dimension.
         :param span: instead of ``times``, (start, end) in s, both of which are sampled.
         :param fps: samples per second of ``span``, also as a fraction; 60 unless given.
         :raises UsageError: for times of another shape, or times that are not finite.
         """
         t = _arguments.times(times, span, fps)
-        X, omega = self._native.at(t)
+        X, omega = self._native.at(t.reshape(-1))
+        X, omega = X.reshape(*t.shape, 3, 3), omega.reshape(*t.shape, 3)
         return Motion(self._free_body, t, X, omega, "exact")
 
     def flip_times(self, t_end: float) -> Array:
@@ -471,7 +506,8 @@ class ManyMotions:
         return len(self.X)
 
     def __repr__(self) -> str:
-        return f"<twrench.ManyMotions: {len(self)} bodies at {len(self.t)} times>"
+        times = "one time" if self.t.ndim == 0 else f"{len(self.t)} times"
+        return f"<twrench.ManyMotions: {len(self)} bodies at {times}>"
 
 
 def _many(inertia: Numbers | Rows, omega: Rows) -> tuple[Array, Array]:
@@ -489,7 +525,7 @@ def _many(inertia: Numbers | Rows, omega: Rows) -> tuple[Array, Array]:
 def exact_many(
     inertia: Numbers | Rows,
     omega: Rows,
-    times: Numbers | None = None,
+    times: Numbers | float | None = None,
     *,
     span: Numbers | None = None,
     fps: Rate | None = None,
@@ -499,7 +535,8 @@ def exact_many(
     :param inertia: principal moments in g cm^2, (n, 3), or (3,) if all n bodies have the same. The
         body axes are the principal axes.
     :param omega: angular velocities at t = 0 in body axes in rad/s, (n, 3).
-    :param times: times in s, (m,), in any order and of either sign.
+    :param times: times in s, (m,), in any order and of either sign; or a single one, whose arrays
+        lack that dimension.
     :param span: in place of ``times``, (start, end) in s, both of which are sampled.
     :param fps: samples per second of ``span``, also as a fraction; 60 unless given.
     :raises UsageError: for a wrong argument; the message names the argument and its row.
@@ -508,8 +545,9 @@ def exact_many(
     """
     moments, velocities = _many(inertia, omega)
     t = _arguments.times(times, span, fps)
-    X, result = _native.exact_many(moments, velocities, t)
-    return ManyMotions(t, X, result)
+    X, result = _native.exact_many(moments, velocities, t.reshape(-1))
+    n = len(velocities)
+    return ManyMotions(t, X.reshape(n, *t.shape, 3, 3), result.reshape(n, *t.shape, 3))
 
 
 def first_flip_times(inertia: Numbers | Rows, omega: Rows) -> Array:

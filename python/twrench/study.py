@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Sequence
 
 import numpy as np
 
-from . import _arguments, _native
+from . import _arguments, _native, _tables
 from ._arguments import Array
 from .body import Body
 from .motion import _free_body
@@ -90,6 +90,30 @@ class Study:
         import pandas
 
         return pandas.DataFrame([vars(run) for of in self.methods.values() for run in of.runs])
+
+
+    def _repr_html_(self) -> str:
+        """A table for notebooks: the order of each method, and its most accurate run."""
+        return _tables.of_rows(
+            ("method", "order", "step", "error", "energy drift", "evaluations"),
+            [_row(of) for of in self.methods.values()],
+        )
+
+
+def _row(of: MethodStudy) -> list[str]:
+    order = "" if of.order is None else f"{of.order:.2f}"
+    succeeded = [run for run in of.runs if not run.failure]
+    if not succeeded:
+        return [of.method, order, *(run.failure for run in of.runs[:1])]
+    best = min(succeeded, key=lambda run: run.error)
+    return [
+        of.method,
+        order,
+        f"{best.step:.3g} s",
+        f"{best.error:.1e}",
+        f"{best.energy_drift:.1e}",
+        str(best.evaluations),
+    ]
 
 
 def _run(method: str, run: _native.StudyRun) -> StudyRun:

@@ -48,7 +48,9 @@ std::optional<std::string> nearest(std::string_view name, std::span<const std::s
     if (distance > std::max<std::size_t>(1, longer / 3) || distance == longer) {
       continue;
     }
-    if (!best || distance < best_distance) {
+    const bool is_nearer = !best || distance < best_distance ||
+                           (distance == best_distance && candidate.size() > best->size());
+    if (is_nearer) {
       best = candidate;
       best_distance = distance;
     }

@@ -10,8 +10,9 @@
 namespace twrench {
 
 /// Returns the candidate that `name` was most likely meant to be: the one with the fewest typing
-/// errors (a letter inserted, omitted or changed, or two adjacent ones swapped), ignoring case; the
-/// first one on a tie. Nothing if even that one is too different to be a misspelling.
+/// errors (a letter inserted, omitted or changed, or two adjacent ones swapped), ignoring case. On
+/// a tie the longest, because letters are omitted more often than inserted: "rk45" is "rkf45", not
+/// "rk4"; then the first. Nothing if even that one is too different to be a misspelling.
 std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// Returns the error for a `name` that is not among `candidates`: "WHAT: unknown name 'NAME'", with

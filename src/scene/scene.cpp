@@ -153,6 +153,17 @@ std::vector<std::string> mesh_notes(const Scene& scene) {
   return {notes.begin(), notes.end()};
 }
 
+std::optional<std::string> unreal_moments_note(const std::string& of,
+                                               const Eigen::Matrix3d& inertia) {
+  constexpr double round_off = 1e-12;
+  const Eigen::Vector3d moments = body::principal_axes(inertia).moments;
+  if (2.0 * moments[2] <= moments.sum() * (1.0 + round_off)) return std::nullopt;
+  return fmt::format(
+      "{}: moments {:.10g}, {:.10g} and {:.10g}: no real body has them: one exceeds the sum of the "
+      "other two",
+      of, moments[0], moments[1], moments[2]);
+}
+
 std::vector<std::filesystem::path> input_files(const Scene& scene) {
   std::vector<std::filesystem::path> files{scene.overlay.font};
   for (const PartDescription& part : scene.body.descriptions) {

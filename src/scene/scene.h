@@ -408,6 +408,12 @@ std::vector<std::string> mesh_notes(const Scene& scene);
 /// Returns the notes on the meshes of a body.
 std::vector<std::string> mesh_notes(const Body& body);
 
+/// Returns a warning about an inertia matrix in g cm^2 that no real body has; nothing about others.
+/// A principal moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of
+/// z^2 dm. The warning begins with `of`, the source of the matrix.
+std::optional<std::string> unreal_moments_note(const std::string& of,
+                                               const Eigen::Matrix3d& inertia);
+
 /// Returns the files that a scene uses besides its own file: meshes, a font and sounds, including
 /// those of its shots.
 std::vector<std::filesystem::path> input_files(const Scene& scene);

@@ -14,6 +14,8 @@ TEST(Nearest, ForgivesOneSlip) {
   EXPECT_EQ(nearest("eulr", methods()), "euler");
   EXPECT_EQ(nearest("eulerr", methods()), "euler");
   EXPECT_EQ(nearest("rkf46", methods()), "rkf45");
+  const std::vector<std::string> equally_near{"rk4", "rkf45", "rkg45"};
+  EXPECT_EQ(nearest("rk45", equally_near), "rkf45");
   EXPECT_EQ(nearest("lie_euler", methods()), "lie-euler");
 }
 

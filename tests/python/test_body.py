@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -147,3 +148,16 @@ def test_the_properties_in_si_units():
     np.testing.assert_allclose(body.si.inertia, body.inertia * 1e-7, rtol=1e-15)
     np.testing.assert_allclose(body.si.principal_moments, body.principal_moments * 1e-7, rtol=1e-15)
     assert math.isnan(Body(moments=[2, 3, 4]).si.mass)
+
+
+def test_moments_that_no_real_body_has_are_warned_of():
+    text = "moments 1, 2 and 5: no real body has them"
+    with pytest.warns(UserWarning, match=f"^Body: {text}"):
+        Body(moments=[1, 2, 5])
+    with pytest.warns(UserWarning, match=f"^Body: {text}"):
+        Body(inertia=np.diag([5.0, 1, 2]))
+    with pytest.warns(UserWarning, match=f"^mine: {text}"):
+        twrench.Scene.from_toml("[body]\nmoments = [1, 2, 5]\n", "mine.toml")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        Body(moments=[1, 2, 3])

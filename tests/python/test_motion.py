@@ -172,6 +172,7 @@ def test_a_wheel_and_energy_loss(body, program, tmp_path):
             twrench.simulate(body, OMEGA, times, **arguments)
 
 
+@pytest.mark.filterwarnings("ignore:.*no real body has them")
 def test_many_bodies_at_once_move_as_one_by_one():
     random = np.random.default_rng(1)
     inertia = random.uniform(1, 10, (40, 3))
@@ -248,7 +249,7 @@ def test_a_study_measures_the_orders(body):
     assert "longer than a turn" in failed.methods["rk4"].runs[0].failure
 
 
-NOT_TIMES = [None, "abc", 3.0, [[0.0]], [0.0, math.nan], [math.inf], [None], [1j], {}, [[1], [2, 3]]]
+NOT_TIMES = [None, "abc", True, [[0.0]], [0.0, math.nan], [math.inf], [None], [1j], {}, [[1], [2, 3]]]
 
 
 @pytest.mark.parametrize("times", NOT_TIMES)
@@ -440,3 +441,38 @@ def test_an_infinite_time_of_the_energy_loss_is_none(body):
     for time in (-math.inf, math.nan, [1.0, math.inf]):
         with pytest.raises(twrench.UsageError, match="^energy_loss_time"):
             twrench.simulate(body, OMEGA, [0, 1], energy_loss_time=time)
+
+
+def test_samples_of_a_motion_are_those_of_its_arrays(body):
+    motion = twrench.simulate(body, OMEGA, np.linspace(0, 3, 7), "rkmk4", step=0.1)
+    assert motion.X.flags.c_contiguous and motion.omega.flags.c_contiguous
+    mask = motion.t > 1
+    for index in (0, -1, np.int64(3), slice(2, 5), slice(None, None, -2), [1, 4], mask, slice(9, 9)):
+        some = motion[index]
+        for name in ("t", "X", "omega", "energy", "energy_drift", "momentum_error"):
+            np.testing.assert_array_equal(getattr(some, name), getattr(motion, name)[index])
+        assert some.quaternion_wxyz.shape == (*np.shape(some.t), 4)
+        assert (some.method, some.steps) == (motion.method, motion.steps)
+    assert [float(sample.t) for sample in motion] == motion.t.tolist()
+    for index in (7, -8, None, "a", (0, 1)):
+        with pytest.raises(IndexError):
+            motion[index]
+
+
+def test_a_single_time_has_arrays_without_that_dimension(body, tmp_path):
+    exact = twrench.exact(body, OMEGA)
+    for single in (exact.at(2), twrench.simulate(body, OMEGA, np.float64(2)), exact.at(np.array(2.0))):
+        (one,) = exact.at([2])
+        for name in ("t", "X", "omega", "energy", "orthogonality_error", "quaternion_xyzw"):
+            np.testing.assert_array_equal(getattr(single, name), getattr(one, name))
+        assert single.X.shape == (3, 3) and single.omega.shape == (3,) and single.t.shape == ()
+        assert repr(single) == "<twrench.Motion: one sample at 2 s, exact>"
+        with pytest.raises(TypeError):
+            len(single)
+    many = twrench.exact_many([1, 2, 3], [OMEGA, OMEGA], 2)
+    assert many.X.shape == (2, 3, 3) and repr(many) == "<twrench.ManyMotions: 2 bodies at one time>"
+    single, one = exact.at(2), exact.at([2])
+    assert single.save(tmp_path / "a.csv").read_bytes() == one.save(tmp_path / "b.csv").read_bytes()
+    for wrong in (True, "2", math.nan):
+        with pytest.raises(twrench.UsageError, match="^times: must be"):
+            exact.at(wrong)

@@ -78,3 +78,26 @@ def test_a_render_shows_a_bar_of_tqdm(small, monkeypatch, tmp_path):
     assert Bar.last is bar
     monkeypatch.setitem(sys.modules, "tqdm.auto", None)
     small.render(frames_dir=tmp_path / "c", frames="0-3")
+
+
+def test_motions_bodies_and_studies_are_tables():
+    body = twrench.Body([twrench.Sphere(radius=1, mass=3)])
+    assert "<th" in body._repr_html_() and ">3 g<" in body._repr_html_()
+    assert "mass" not in twrench.Body(moments=[1, 2, 3])._repr_html_()
+    motion = twrench.simulate(body, [1, 0, 0], [0, 2], "rk4", step=0.1)
+    assert ">2 samples from 0 to 2 s<" in motion._repr_html_() and ">rk4<" in motion._repr_html_()
+    assert ">one sample at 2 s<" in motion[1]._repr_html_()
+    assert ">no samples<" in motion[:0]._repr_html_()
+    result = twrench.study(twrench.Body(moments=[1, 2, 3]), [0.1, 1, 0], ["rk4", "exact"], duration=2)
+    shown = result._repr_html_()
+    assert shown.count("<tr>") == 3 and ">rk4<" in shown
+    assert f">{result.methods['rk4'].order:.2f}<" in shown
+    for table in (body, motion, result):
+        assert re.fullmatch(r"<table>.*</table>", table._repr_html_())
+
+
+def test_a_table_shows_the_failure_of_a_method():
+    result = twrench.study(
+        twrench.Body(moments=[1, 2, 3]), [0.1, 1, 0], ["rk4"], duration=100, steps=[50, 25]
+    )
+    assert html.escape(result.methods["rk4"].runs[0].failure) in result._repr_html_()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import inspect
 import json
 import math
@@ -491,3 +492,96 @@ def test_a_bound_on_the_metric_that_does_not_decide_is_refused(tmp_path):
     for arguments in ({"metric": "ssim", "share": 0.5}, {"min_ssim": 0.5}):
         with pytest.raises(twrench.UsageError, match="bounds the metric"):
             twrench.compare(tmp_path, tmp_path, **arguments)
+
+
+class Frame:
+    """A table with named columns, like a DataFrame of pandas."""
+
+    def __init__(self, columns):
+        self._columns, self.columns = columns, list(columns)
+
+    def __getitem__(self, name):
+        return self._columns[name]
+
+
+def test_arrays_and_data_frames_are_checked():
+    body = twrench.Body(moments=[2, 3, 4])
+    motion = twrench.exact(body, [0.1, 1, 0.2]).at(np.linspace(0, 20, 50))
+    numbers = np.column_stack([motion.t, motion.omega])
+    names = ["t", "wx", "wy", "wz"]
+    expected = twrench.check(dict(zip(names, numbers.T)), body)
+    assert expected.finding == "exact"
+    structured = np.rec.fromarrays(numbers.T, names=",".join(names))
+    labels = np.array(50 * ["a"])
+    unused = Frame({**dict(zip(names, numbers.T)), "label": labels, "gap": np.full(50, math.nan)})
+    found = [
+        twrench.check(numbers, body, columns=names),
+        twrench.check(numbers, body),  # as a file without names
+        twrench.check(numbers, body, columns={"t": "#1", "wx": "#2", "wy": "#3", "wz": "#4"}),
+        twrench.check(structured, body),
+        twrench.check(unused, body),
+        *twrench.check([numbers, numbers], body, columns=names).files,
+    ]
+    assert all(each.rates == expected.rates for each in found)
+    assert twrench.check(numbers[:, [1, 2, 3, 0]], body, columns=["wx", "wy", "wz", "t"]).passes
+    for data, columns, message in (
+        (numbers, names[:3], "^columns: must be 4 different names for the columns of data"),
+        (numbers, ["t", "wx", "wy", "wy"], "^columns: must be 4 different names"),
+        (numbers, "twxy", "^columns: must be a mapping or a list"),
+        (numbers[0], names, r"^data: must be an array of numbers of shape \(n, k\)"),
+        (unused, names, "^columns: must be a mapping of our names to those of data"),
+        (Frame({"t": labels}), None, "^data: must have columns"),
+    ):
+        with pytest.raises(twrench.UsageError, match=message):
+            twrench.check(data, body, columns=columns)
+
+
+def test_a_data_frame_of_pandas_is_checked():
+    pytest.importorskip("pandas")
+    body = twrench.Body(moments=[2, 3, 4])
+    motion = twrench.exact(body, [0.1, 1, 0.2]).at(np.linspace(0, 20, 50))
+    found = twrench.check(motion.to_dataframe(), body)
+    assert found.finding == "exact" and found.attitude is not None
+
+
+def test_a_sequence_of_a_check_is_that_of_scipy():
+    pytest.importorskip("scipy")
+    body = twrench.Body(moments=[2, 3, 4])
+    motion = twrench.exact(body, [0.1, 1, 0.2]).at(np.linspace(0, 20, 50))
+    rates = {f"w{axis}": motion.omega[:, i] for i, axis in enumerate("xyz")}
+    for sequence in ("ZYX", "zyx", "XZY", "yxz", "ZXZ"):
+        angles = motion.euler(sequence).T
+        names = ["yaw", "pitch", "roll"]
+        if sequence != "ZXZ":
+            names = [names["ZYX".index(axis)] for axis in sequence.upper()]
+        columns = {"t": motion.t, **rates, **dict(zip(names, angles))}
+        assert twrench.check(columns, body, sequence=sequence).passes, sequence
+    with pytest.raises(twrench.UsageError, match="first and the third angle, and use 'ZXZ'"):
+        twrench.check(columns, body, sequence="zxz")
+    for wrong in ("zYx", "zzx", "abc", "", 3):
+        with pytest.raises(twrench.UsageError, match="^sequence: must be"):
+            twrench.check(columns, body, sequence=wrong)
+        with pytest.raises(twrench.UsageError, match="^sequence: must be"):
+            motion.euler(wrong)
+
+
+def test_hints_name_the_arguments():
+    body = twrench.Body(moments=[2, 3, 4])
+    motion = twrench.exact(body, [0.1, 1, 0.2]).at(np.linspace(0, 20, 50))
+    rates = {f"w{axis}": motion.omega[:, i] for i, axis in enumerate("xyz")}
+    in_degrees = {"t": motion.t, **{name: np.rad2deg(rate) for name, rate in rates.items()}}
+    assert twrench.check(in_degrees, body).verdict.endswith(': use units="deg"')
+    names = ("x,y", 'p"', "q", "r", "s", "u", "v")
+    w, x, y, z = motion.quaternion_wxyz.T
+    columns = dict(zip(names, (x, y, z, w, *rates.values())), t=motion.t)
+    ours = dict(zip(("qw", "qx", "qy", "qz", "wx", "wy", "wz"), names))
+    right = twrench.check(columns, body, columns=ours).verdict
+    named = ast.literal_eval(right[right.index("columns=") + len("columns=") :])
+    assert named["qw"] == "r" and named["qx"] == "x,y" and named["qy"] == 'p"'
+    assert twrench.check(columns, body, columns=named).passes
+    inverse = dict(zip(("qw", "qx", "qy", "qz"), (w, -x, -y, -z)), t=motion.t, **rates)
+    assert twrench.check(inverse, body).verdict.endswith("use inverse=True")
+    with pytest.raises(twrench.UsageError, match="leave the argument out"):
+        twrench.check(in_degrees, body, max_attitude_error=1)
+    same = twrench.check([motion, motion], body).order.why_not
+    assert same is not None and same.endswith("with steps") and "--" not in same

@@ -41,6 +41,9 @@ checks = twrench.check([motion, motion], body, steps=[0.1, 0.05])
 same: twrench.Checks = twrench.check(("a.csv", "b.csv"), body, units="deg")
 order: float | None = checks.order.rates
 verdict: str = twrench.check("a.csv", body).verdict
+finding: str = twrench.check(np.zeros((9, 4)), body, columns=["t", "wx", "wy", "wz"]).finding
+twrench.check(motion.to_dataframe(), body, sequence="ZYX")
+print(motion[0].X, motion[1:].t, twrench.exact(body, [1, 0, 0]).at(0).omega)
 for path in (twrench.pages("site", theme="paper"), twrench.pages("site", template="t.html")):
     print(path.name)
 for method in twrench.methods():

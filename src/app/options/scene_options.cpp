@@ -88,14 +88,7 @@ bool determines_motion(const scene::Field& field) {
 }  // namespace
 
 void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia, bool as_json) {
-  constexpr double round_off = 1e-12;
-  const Eigen::Vector3d moments = body::principal_axes(inertia).moments;
-  if (2.0 * moments[2] <= moments.sum() * (1.0 + round_off)) return;
-  warn(fmt::format("{}: moments {:.10g}, {:.10g} and {:.10g}: no real body has them: one exceeds "
-                   "the sum of the "
-                   "other two",
-                   of, moments[0], moments[1], moments[2]),
-       as_json);
+  if (const auto note = scene::unreal_moments_note(of, inertia)) warn(*note, as_json);
 }
 
 std::string option_of(const scene::Field& field) {

@@ -24,8 +24,7 @@ inline constexpr const char* inertia_help =
     "principal moments of inertia about the body's axes, or the matrix entries "
     "Ixx,Iyy,Izz,Ixy,Ixz,Iyz as in MuJoCo's fullinertia (Ixy is minus the integral of x y dm)";
 
-/// Warns on standard error about an inertia matrix in g cm^2 that no real body has. A principal
-/// moment is at most the sum of the other two: Ixx + Iyy - Izz is twice the integral of z^2 dm.
+/// Warns on standard error about an inertia matrix in g cm^2 that no real body has.
 void warn_of_unreal_moments(const std::string& of, const Eigen::Matrix3d& inertia,
                             bool as_json = false);
 
