@@ -8,6 +8,8 @@ import doctest
 import inspect
 import io
 import re
+import sys
+import types
 import typing
 from pathlib import Path
 from typing import Any, Callable, Iterator
@@ -100,3 +102,22 @@ def test_every_docstring_tells_of_every_parameter():
         for parameter in inspect.signature(function).parameters.values():
             if parameter.name not in ("self", "cls"):
                 assert re.search(rf"\b{parameter.name}\b", doc), f"{name}: {parameter.name}"
+
+
+def test_the_test_of_the_check_runs(monkeypatch):
+    def simulate(moments, omega, duration):
+        body = twrench.Body(moments=moments)
+        motion = twrench.exact(body, omega).at(span=(0, duration), fps=10)
+        return motion.t, motion.omega * (1 + error)
+
+    module = types.ModuleType("my_simulator")
+    module.simulate = simulate
+    monkeypatch.setitem(sys.modules, "my_simulator", module)
+    (block,) = blocks("check.md", "python")
+    names: dict[str, Any] = {}
+    exec(block, names)
+    error = 0.0
+    names["test_a_free_body_follows_the_exact_motion"]()
+    error = 1e-3
+    with pytest.raises(AssertionError):
+        names["test_a_free_body_follows_the_exact_motion"]()

@@ -585,3 +585,17 @@ def test_hints_name_the_arguments():
         twrench.check(in_degrees, body, max_attitude_error=1)
     same = twrench.check([motion, motion], body).order.why_not
     assert same is not None and same.endswith("with steps") and "--" not in same
+
+
+@pytest.mark.parametrize("moments", [[1, 2, 3], [2, 3, 4], [3, 3, 5]])
+def test_a_component_of_a_quaternion_with_the_wrong_sign_is_named(moments):
+    body = twrench.Body(moments=moments)
+    motion = twrench.exact(body, [0.1, 2, 0.05]).at(np.linspace(0, 10, 101))
+    names = ["qw", "qx", "qy", "qz"]
+    rates = {f"w{axis}": motion.omega[:, i] for i, axis in enumerate("xyz")}
+    columns = {"t": motion.t, **rates, **dict(zip(names, motion.quaternion_wxyz.T))}
+    assert "wrong sign" not in twrench.check(columns, body).verdict
+    for name in names[1:]:
+        found = twrench.check({**columns, name: -columns[name]}, body)
+        assert found.finding == "convention"
+        assert found.verdict.endswith(f"{name} has the wrong sign: reverse the sign of {name}")

@@ -38,6 +38,9 @@ struct Convention {
   /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty if
   /// there are no Euler angles.
   std::string sequence;
+  /// Our name of the component of the quaternion that has the wrong sign in the file, "qx", "qy" or
+  /// "qz"; empty if there is none. (All components but the scalar have it in the inverse.)
+  std::string negated = {};
   bool inverse = false;         ///< the attitude is body_from_space
   bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
   /// The body's axes along which the file's axes point.

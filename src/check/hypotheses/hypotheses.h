@@ -24,9 +24,10 @@ struct Alternatives {
 /// Tests how well the first rows of a file follow the motion of the body if they are read
 /// differently from `convention`: in other units of times, rates and angles, unless the columns
 /// state them; as the inverse attitude; with rates in the other axes; with another order of the
-/// quaternion's components or of the rotations of Euler angles; in other axes of the body,
-/// left-handed ones included; with the attitude of a part that is fixed to the body. Tries each
-/// change alone and with the others. Throws as RowReader does.
+/// quaternion's components or of the rotations of Euler angles; with the wrong sign of one
+/// component of the quaternion; in other axes of the body, left-handed ones included; with the
+/// attitude of a part that is fixed to the body. Tries each change alone and with the others.
+/// Throws as RowReader does.
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention);
 

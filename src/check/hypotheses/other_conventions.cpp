@@ -1,6 +1,7 @@
 #include "check/hypotheses/other_conventions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "check/conventions/units.h"
@@ -45,6 +46,16 @@ void add_quaternion_orders(std::vector<Convention>& list) {
   }
 }
 
+void add_negated_components(std::vector<Convention>& list) {
+  const std::vector<Convention> as_given = list;
+  for (const char* component : {"qx", "qy", "qz"}) {
+    for (Convention changed : as_given) {
+      changed.negated = component;
+      list.push_back(std::move(changed));
+    }
+  }
+}
+
 void add_sequences(std::vector<Convention>& list) {
   const std::vector<Convention> as_given = list;
   for (const std::string& sequence : all_sequences()) {
@@ -68,7 +79,7 @@ Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle
 
 std::vector<Convention> attitude_readings(const table::Header& header,
                                           const Convention& convention) {
-  std::vector<Convention> list{convention};
+  std::vector<Convention> list{convention}, with_negated;
   switch (attitude_form(convention)) {
     case AttitudeForm::none:
       return list;
@@ -76,6 +87,9 @@ std::vector<Convention> attitude_readings(const table::Header& header,
       break;
     case AttitudeForm::quaternion:
       add_quaternion_orders(list);
+      with_negated = list;
+      add_negated_components(with_negated);
+      with_negated.erase(with_negated.begin(), with_negated.begin() + std::ssize(list));
       break;
     case AttitudeForm::euler:
       add_sequences(list);
@@ -85,6 +99,8 @@ std::vector<Convention> attitude_readings(const table::Header& header,
       break;
   }
   also(list, [](Convention& c) { c.inverse = !c.inverse; });
+  // Last, because without rates a component with the wrong sign is the same motion as the inverse.
+  list.insert(list.end(), with_negated.begin(), with_negated.end());
   return list;
 }
 
@@ -112,9 +128,9 @@ std::vector<Units> unit_readings(const table::Header& header, const Convention& 
 int count_changes(const Convention& before, const Convention& after) {
   return (before.columns != after.columns) + (before.sequence != after.sequence) +
          (time_unit(before) != time_unit(after)) + (rate_unit(before) != rate_unit(after)) +
-         (angle_unit(before) != angle_unit(after)) + (before.inverse != after.inverse) +
-         (before.rates_in_space != after.rates_in_space) + (before.axes != after.axes) +
-         (before.offset.has_value() != after.offset.has_value());
+         (angle_unit(before) != angle_unit(after)) + (before.negated != after.negated) +
+         (before.inverse != after.inverse) + (before.rates_in_space != after.rates_in_space) +
+         (before.axes != after.axes) + (before.offset.has_value() != after.offset.has_value());
 }
 
 }  // namespace twrench::check

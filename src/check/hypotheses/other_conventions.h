@@ -9,7 +9,8 @@ namespace twrench::check {
 
 /// The ways to read the columns of an attitude: first as `convention` says, then with another order
 /// of the quaternion's components or of the rotations of Euler angles, in the other unit of Euler
-/// angles unless the columns state theirs, and as the inverse, each alone and together.
+/// angles unless the columns state theirs, and as the inverse, each alone and together; and with
+/// the wrong sign of one component of the quaternion.
 std::vector<Convention> attitude_readings(const table::Header& header,
                                           const Convention& convention);
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "check/conventions/names.h"
 #include "check/conventions/units.h"
 #include "check/reading/column_error.h"
 #include "check/reading/column_sets.h"
@@ -21,6 +23,13 @@ using Eigen::Matrix3d;
 Kind kind_of(AttitudeForm form) {
   if (form == AttitudeForm::matrix) return Kind::matrix;
   return form == AttitudeForm::quaternion ? Kind::quaternion : Kind::euler;
+}
+
+/// Returns the index of a component in (w, x, y, z); nothing if the name is empty.
+std::optional<std::size_t> index_of_component(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  const std::vector<std::string>& names = names_of(Kind::quaternion);
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
 Matrix3d offset_of(const Convention& convention) {
@@ -40,6 +49,7 @@ RowDecoder::RowDecoder(const table::Header& header, const Convention& convention
       rates_in_space_(convention.rates_in_space && has_rates_),
       inverse_(convention.inverse),
       changes_axes_(convention.offset || convention.axes != BodyAxes()),
+      negated_(index_of_component(convention.negated)),
       second_(name_of(time_unit(convention)).in_s),
       rate_unit_(name_of(check::rate_unit(convention)).in_rad_s),
       angle_unit_(name_of(angle_unit(convention)).in_rad),
@@ -191,6 +201,7 @@ void RowDecoder::decode_matrix(std::span<const table::Number> entries, Row& row)
 void RowDecoder::decode_quaternion(std::span<const table::Number> numbers, Row& row) const {
   std::array<double, 4> q{};
   for (std::size_t i = 0; i < 4; ++i) q[i] = numbers[i].value;
+  if (negated_) q[*negated_] *= -1;
   const double length = Eigen::Map<const Eigen::Vector4d>(q.data()).stableNorm();
   // A quaternion that drifts is judged; any other is rejected, as with matrices.
   constexpr double most = 0.1;

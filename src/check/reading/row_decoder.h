@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ class RowDecoder {
 
   AttitudeForm form_;
   bool has_rates_, rates_in_space_, inverse_, changes_axes_;
+  std::optional<std::size_t> negated_;  ///< index of Convention::negated in (w, x, y, z)
   double second_, rate_unit_, angle_unit_;
   Axes sequence_{2, 1, 0};
   Eigen::Matrix3d body_from_file_;  ///< applies to the rates

@@ -43,6 +43,9 @@ std::vector<std::string> condition_texts(const Judgement& judgement, const Conve
   if (after.sequence != before.sequence) {
     texts.push_back("the sequence of the angles is " + after.sequence);
   }
+  if (after.negated != before.negated) {
+    texts.push_back(after.columns.at(after.negated) + " has the wrong sign");
+  }
   if (after.inverse != before.inverse) {
     texts.push_back(std::string("the attitude is ") +
                     (after.inverse ? "body from space" : "space from body"));
@@ -91,6 +94,10 @@ std::string alternative_text(const Judgement& judgement, const Convention& after
     use += use.empty() ? "leave " + names + " out" : ", without " + names;
   }
   if (is_order) use += fmt::format(" (or --axes {})", format_body_axes(after.axes));
+  if (after.negated != before.negated) {
+    use +=
+        (use.empty() ? "" : ", and ") + ("reverse the sign of " + after.columns.at(after.negated));
+  }
   return joined(condition_texts(judgement, after), " and ") + ": " + use;
 }
 

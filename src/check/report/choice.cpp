@@ -102,7 +102,10 @@ Convention choose_convention(const std::string& file, const Convention& given,
   // If none of them fits, a reading that no name suggests may do so.
   if (!fitting) {
     const Alternatives other = alternatives(file, problem, open.front());
-    if (other.fitting.size() == 1) fitting = other.fitting.front();
+    // No option reverses the sign of a component.
+    const bool is_option =
+        other.fitting.size() == 1 && other.fitting.front().convention.negated.empty();
+    if (is_option) fitting = other.fitting.front();
   }
   throw ambiguous(header, given, open, fitting);
 }

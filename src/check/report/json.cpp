@@ -48,6 +48,7 @@ Json convention_json(const Convention& convention) {
           {"units", name_of(rate_unit(convention)).option},
           {"angle_units", name_of(angle_unit(convention)).option},
           {"sequence", text_or_null(convention.sequence)},
+          {"negated", text_or_null(convention.negated)},
           {"inverse", convention.inverse},
           {"rates", convention.rates_in_space ? "space" : "body"},
           {"axes", format_body_axes(convention.axes)},

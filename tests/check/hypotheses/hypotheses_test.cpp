@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <array>
 #include <filesystem>
 
 #include "check/conventions/units.h"
@@ -94,6 +95,22 @@ TEST(Alternatives, BodyFromSpaceInDegrees) {
   EXPECT_TRUE(fitting[0].convention.inverse);
   EXPECT_EQ(fitting[0].convention.rate_unit, RateUnit::deg_s);
   EXPECT_FALSE(fitting[0].convention.rates_in_space);
+}
+
+TEST(Alternatives, OneComponentWithTheWrongSign) {
+  const std::array names{"qx", "qy", "qz"};
+  for (int wrong = 0; wrong < 3; ++wrong) {
+    const QuaternionFile file([&](const Row& row) {
+      Eigen::Vector4d q = wxyz(Quaterniond(row.X));
+      q[1 + wrong] *= -1;
+      return Written{row.t, q, row.omega};
+    });
+    const auto fitting = file.fitting();
+    ASSERT_THAT(fitting, SizeIs(1));
+    EXPECT_EQ(fitting[0].convention.negated, names.at(static_cast<std::size_t>(wrong)));
+    EXPECT_EQ(fitting[0].convention.columns, QuaternionFile::told().columns);
+    EXPECT_FALSE(fitting[0].convention.inverse);
+  }
 }
 
 TEST(Alternatives, RatesInSpace) {
