@@ -70,10 +70,11 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 }
 
 std::vector<std::string> builtin_scene_names() {
-  return {"dzhanibekov", "calm",          "stable-y",   "stable-z",      "sphere",
-          "tao-disk",    "explain",       "explain-nb", "explain-short", "t-handle",
-          "wing-nut",    "tennis-racket", "phone",      "book",          "hammer",
-          "toutatis",    "explorer-1",    "dual-spin",  "t-handle-wheel"};
+  std::vector<std::string> names;
+  for (const std::string_view file : embedded::scenes_in_order()) {
+    names.push_back(std::filesystem::path(file).stem().string());
+  }
+  return names;
 }
 
 bool is_scene_file(const std::string& name_or_path) {

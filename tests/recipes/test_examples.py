@@ -94,6 +94,15 @@ def test_the_method_has_its_order() -> None:
     assert np.log2(errors[0] / errors[1]) == pytest.approx(3, abs=0.2)
 
 
+def test_the_scene_is_listed_after_its_neighbour_and_drawn(tmp_path: Path) -> None:
+    names = [line.split()[0] for line in run("scenes").splitlines()]
+    assert names[names.index("book") + 1] == "pencil"
+    assert twrench.scenes() == names
+    folder = tmp_path / "frames"
+    run("render", "pencil", "--frames", "1", "--size", "64x36", "--no-video", "--frames-dir", folder)
+    assert (folder / "frame_000001.png").exists()
+
+
 def test_a_page_has_them_all(tmp_path: Path) -> None:
     run("page", SCENE, "-o", tmp_path / "page.html")
     subprocess.run(["node", SCENE.with_name("page.mjs"), tmp_path / "page.html"], check=True)

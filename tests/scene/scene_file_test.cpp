@@ -4,10 +4,12 @@
 #include <twrench/motion/exact.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 #include "scene/scene_json.h"
@@ -33,6 +35,16 @@ TEST(SceneFile, BuiltInScenesLoad) {
     if (!scene.shots.empty()) continue;
     EXPECT_EQ(scene.frame_count(), 960) << name;
   }
+}
+
+TEST(SceneFile, EachSceneOfTheFolderIsBuiltInOnce) {
+  std::vector<std::string> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TWRENCH_TESTS_DIR "/../assets/scenes")) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path().stem().string());
+  }
+  EXPECT_THAT(builtin_scene_names(), testing::UnorderedElementsAreArray(files));
+  EXPECT_EQ(builtin_scene_names().front(), "dzhanibekov") << "the default is listed first";
 }
 
 TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {

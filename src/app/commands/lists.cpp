@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
-#include "scene/motion_summary.h"
+#include "app/reports/scene_list.h"
 #include "scene/scene.h"
 #include "system/output.h"
 
@@ -27,14 +27,7 @@ void add_methods(CLI::App& app) {
 void add_scenes(CLI::App& app) {
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
   command->footer("Example: twrench scenes");
-  command->callback([] {
-    std::string text;
-    for (const std::string& name : scene::builtin_scene_names()) {
-      const scene::Scene scene = scene::load_scene(name);
-      text += fmt::format("{:<13} {}; {}\n", name, scene.title, motion_summary(scene));
-    }
-    system::write_output(text);
-  });
+  command->callback([] { system::write_output(scene_list(scene::builtin_scene_names())); });
 }
 
 }  // namespace twrench::app
