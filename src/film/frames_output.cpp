@@ -16,7 +16,8 @@ void refuse_to_destroy(const std::filesystem::path& folder, const video::Earlier
                        const video::Shard& shard, Reuse reuse) {
   if (earlier.objection().empty() || reuse == Reuse::overwrite) return;
   if (reuse == Reuse::resume && earlier.is_outdated()) return;
-  throw ForeignFramesError(folder.string(), earlier.objection(), !shard.is_whole());
+  throw ForeignFramesError(folder.string(), earlier.objection(), !shard.is_whole(),
+                           earlier.is_unrecorded());
 }
 
 }  // namespace

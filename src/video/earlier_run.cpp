@@ -34,6 +34,7 @@ EarlierRun::EarlierRun(std::filesystem::path folder, const Manifest& film,
   for (const auto& manifest : manifests) examine(manifest, film, frames);
   if (objection_.empty() && has_any_frames && manifests.empty()) {
     objection_ = "contains frames without a manifest";
+    unrecorded_ = true;
   }
 }
 

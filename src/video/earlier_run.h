@@ -27,6 +27,9 @@ class EarlierRun {
   /// were drawn.
   bool is_outdated() const { return outdated_; }
 
+  /// Returns whether the objection is that no manifest describes the frames of the folder.
+  bool is_unrecorded() const { return unrecorded_; }
+
   /// Returns the manifests that belong to other videos or cannot be read.
   const std::vector<std::filesystem::path>& foreign_manifests() const { return foreign_; }
 
@@ -46,7 +49,7 @@ class EarlierRun {
 
   std::filesystem::path folder_;
   std::string objection_;
-  bool outdated_ = false;
+  bool outdated_ = false, unrecorded_ = false;
   std::vector<std::filesystem::path> foreign_;
   std::vector<FrameRecord> own_;
   std::map<int, FrameRecord> by_number_;  ///< The records of this video.

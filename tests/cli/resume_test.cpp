@@ -164,7 +164,10 @@ TEST(Overwrite, FramesWithoutAManifestAreSomebodys) {
   ScratchFolder folder;
   ASSERT_EQ(run_twrench(folder, short_command).code, 0);
   fs::remove(folder / "f/manifest.json");
-  EXPECT_EQ(run_twrench(folder, short_command).code, 2);
+  const Outcome refused = run_twrench(folder, short_command);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("frames without a manifest"));
+  EXPECT_THAT(refused.err, HasSubstr("twrench compare OLD NEW --update"));
   EXPECT_EQ(run_twrench(folder, short_command + "--resume").code, 2);
   const Outcome both = run_twrench(folder, short_command + "--resume --overwrite");
   EXPECT_EQ(both.code, 2);

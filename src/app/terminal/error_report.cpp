@@ -119,6 +119,10 @@ bool is(const Error& error) {
 /// The remedy for an error of a run that draws a film; empty for other errors.
 std::string remedy_for_run(const Error& error) {
   if (const auto* frames = as<film::ForeignFramesError>(error)) {
+    if (frames->unrecorded()) {
+      return "choose another folder with --frames-dir; twrench compare OLD NEW --update then adds "
+             "its frames to golden images, and --overwrite replaces frames in place";
+    }
     return frames->sharded()
                ? "all shards of a video need the same program version, scene and kind of machine; "
                  "use --frames-dir to choose another folder, or --overwrite to replace them"
