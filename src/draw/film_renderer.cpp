@@ -1,5 +1,6 @@
 #include "draw/film_renderer.h"
 
+#include <fmt/format.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
@@ -16,12 +17,14 @@
 namespace twrench::draw {
 namespace {
 
-/// Throws if the shot has no layout, or if its caption cannot be set.
-void require_drawable(const scene::Shot& shot, const canvas::Typeface& typeface) {
+/// Returns whether the picture of the shot has room for its caption, if it has one. Throws if the
+/// shot has no layout, or if its caption cannot be set.
+bool has_room_for_caption(const scene::Shot& shot, const canvas::Typeface& typeface) {
   try {
     const picture::Layout layout = picture::compute_layout(shot.scene);
     const picture::OverlayColors& colors = picture::style_of(shot.scene.look.theme).overlay;
     if (layout.caption) picture::Caption(*shot.scene.caption, *layout.caption, typeface, colors);
+    return layout.caption || !shot.scene.caption;
   } catch (const canvas::MissingGlyph& error) {
     throw canvas::MissingGlyph(shot.place, error.what(), error.character());
   } catch (const InvalidArgument& error) {
@@ -44,7 +47,12 @@ FilmRenderer::FilmRenderer(gl::Context& context, const scene::Scene& film)
     : context_(context), film_(film) {
   const canvas::Typeface typeface = canvas::load_typeface(film.overlay.font);
   typeface_digest_ = canvas::typeface_digest(typeface);
-  for (const scene::Shot& shot : film.shots) require_drawable(shot, typeface);
+  for (const scene::Shot& shot : film.shots) {
+    if (has_room_for_caption(shot, typeface) || caption_warning_) continue;
+    caption_warning_ =
+        fmt::format("{}.caption: is left out, because a picture of {}x{} is too small for captions",
+                    shot.place, shot.scene.film.width, shot.scene.film.height);
+  }
 }
 
 /// Destroys the renderers of the shots that neither the frame shows nor a frame in progress uses.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ class FilmRenderer {
   /// Examines the layout and the text of all shots. Throws InvalidArgument about a shot that cannot
   /// be drawn. The context and the film must outlive the renderer.
   FilmRenderer(gl::Context& context, const scene::Scene& film);
+
+  /// Returns a warning if the pictures are too small for the captions of the shots, so that these
+  /// are left out.
+  const std::optional<std::string>& caption_warning() const { return caption_warning_; }
 
   /// Returns the camera of the frame's first view. If a shot begins with the frame, throws as
   /// Renderer() does.
@@ -58,6 +63,7 @@ class FilmRenderer {
   gl::Context& context_;
   const scene::Scene& film_;
   std::string typeface_digest_;
+  std::optional<std::string> caption_warning_;
   std::mutex mutex_;  ///< Guards the vector of the shots being drawn, a few at most.
   std::vector<std::shared_ptr<Stage>> stages_;
 };

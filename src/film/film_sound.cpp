@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sound/motion_track.h"
+#include "system/error.h"
 #include "video/sound_file.h"
 
 namespace twrench::film {
@@ -26,6 +27,15 @@ std::vector<Narration> narrations_of(const scene::Scene& film) {
     if (shot.narration.is_given()) narrations.push_back({shot, first[i] / film.film.fps});
   }
   return narrations;
+}
+
+/// Returns the length of the narration in s. Throws FileError about the shot.
+double length_of_narration(const scene::Shot& shot) {
+  try {
+    return video::sound_length(shot.narration.path);
+  } catch (const system::FileError& error) {
+    throw system::FileError(shot.place + ".narration", error.what(), error.remedy());
+  }
 }
 
 double length_of(const scene::Scene& film) { return film.frame_count() / film.film.fps; }
@@ -69,7 +79,7 @@ std::vector<std::string> check_narration(const scene::Scene& film) {
   constexpr double round_off = 1e-3;
   std::vector<std::string> warnings;
   for (const auto& [shot, start] : narrations_of(film)) {
-    const double length = video::sound_length(shot.narration.path);
+    const double length = length_of_narration(shot);
     const double room = *shot.scene.length, left = length_of(film) - start;
     if (length <= room + round_off) continue;
     if (std::isinf(length)) {

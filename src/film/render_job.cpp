@@ -216,6 +216,7 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
   std::ranges::move(visible_errors(*timeline_), std::back_inserter(warnings_));
   opened_ = gl::open_context(*gl_trial_);
   renderer_.emplace(*opened_.context, scene_);
+  if (const auto& warning = renderer_->caption_warning()) warnings_.push_back(*warning);
   frames_.resize(numbers.size());
 
   const video::Manifest manifest = manifest_of(settings_, scene_, *renderer_, asked);

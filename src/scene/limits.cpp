@@ -50,7 +50,8 @@ bool Limit::allows(double value) const { return value >= low && value <= high; }
 
 std::string Limit::describe() const {
   const std::string why = why_low.empty() ? "" : fmt::format(" ({})", why_low);
-  return fmt::format("at least {}{} and at most {}", low, why, high);
+  return fmt::format("at least {}{} and at most {}{}", low, why, high,
+                     or_infinite ? ", or inf" : "");
 }
 
 double check(const Limit& limit, const std::string& what, double value) {

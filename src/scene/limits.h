@@ -15,8 +15,11 @@ struct Limit {
   double low, high;
   /// A note on the lower limit, if it needs one.
   std::string_view why_low = {};
+  /// Whether the value may also be infinite, which has a meaning of its own.
+  bool or_infinite = false;
 
-  /// Returns whether the value is within the limits; false for NaN and infinities.
+  /// Returns whether the value is within the limits; false for NaN and infinities, also if
+  /// `or_infinite`.
   bool allows(double value) const;
   /// Describes the limits, for example "at least 1 and at most 64".
   std::string describe() const;
@@ -37,7 +40,7 @@ inline constexpr Limit matrix_entry{-moment.high, moment.high};  // g cm^2
 inline constexpr Limit coordinate{-huge, huge};  // cm, rad/s, and components of directions
 // I omega of a body within the limits above.
 inline constexpr Limit angular_momentum{-moment.high * huge, moment.high* huge};  // g cm^2/s
-inline constexpr Limit energy_loss_time{1e-15, 1e15};                             // s
+inline constexpr Limit energy_loss_time{1e-15, 1e15, {}, true};                   // s
 inline constexpr Limit step{1e-15, 1e15};                                         // s
 inline constexpr Limit tolerance{motion::min_tolerance, 1,
                                  "the limit of double precision"};  // of the error estimate E

@@ -382,7 +382,9 @@ TEST(Narration, StartsWithItsShot) {
   std::ofstream(folder / "story/list.wav") << "ffconcat version 1.0\nfile '1.wav'\n";
   for (const char* unusable : {"none.wav", "list.wav"}) {
     write_story(folder, unusable);
-    EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o wrong.mp4").code, 5);
+    const Outcome refused = run_twrench(folder, sound_film + "story/scene.toml -o wrong.mp4");
+    EXPECT_EQ(refused.code, 5);
+    EXPECT_THAT(refused.err, HasSubstr("error: story/scene.toml:8: shot[1].narration: cannot"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "wrong.mp4"));
   // An animated image has none.

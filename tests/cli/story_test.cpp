@@ -171,6 +171,17 @@ TEST_F(Story, NamesTheProgramThatFindsAFontForACaption) {
   EXPECT_THAT(run.err, Not(HasSubstr("--title")));
 }
 
+TEST_F(Story, NamesTheFirstCaptionThatASmallPictureLeavesOut) {
+  const std::string warning =
+      "warning: story.toml:13: shot[0].caption: is left out, because a picture of 64x36 is too "
+      "small";
+  const Outcome run = render("--no-video --size 64x36");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr(warning));
+  EXPECT_EQ(run.err.find("is left out"), run.err.rfind("is left out")) << "each film once";
+  EXPECT_EQ(render("--no-video --frames-dir large").err.find("left out"), std::string::npos);
+}
+
 TEST_F(Story, IsItsOwnMotionForOtherCommands) {
   const Outcome run = run_twrench(folder, "simulate story.toml --times 2 --duration 3");
   EXPECT_EQ(run.code, 0) << run.err;

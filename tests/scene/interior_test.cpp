@@ -77,6 +77,7 @@ TEST(InteriorOfAScene, IsCheckedWhenTheMotionOrTheBodyChanges) {
   expect_refused([&] { set_value(scene, "omega", {0, 0, 1e-6}); });
   expect_refused([&] { set_value(scene, "energy_loss_time", 0.1); });
   expect_refused([&] { set_value(scene, "energy_loss_time", 0); });
+  EXPECT_TRUE(limits::energy_loss_time.describe().ends_with(", or inf"));
   expect_refused([&] {
     Body ball;
     ball.inertia = Eigen::Matrix3d::Identity();
