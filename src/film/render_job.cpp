@@ -221,8 +221,12 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
 
   const video::Manifest manifest = manifest_of(settings_, scene_, *renderer_, asked);
   const std::string identity = video::video_identity(manifest, numbers);
+  std::vector<std::string> replaceable{identity};
+  if (settings_.reuse == Reuse::resume && has_sound(scene_)) {  // it adds sound to the same film
+    replaceable.push_back(video::silent_video_identity(manifest, numbers));
+  }
   const std::optional<fs::path> file = video_file(settings_);
-  if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
+  if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, replaceable);
   if (settings_.frames_folder) {
     output_.emplace(*settings_.frames_folder, manifest, numbers, settings_.reuse);
   }
@@ -239,9 +243,9 @@ RenderJob::RenderJob(const scene::Scene& scene, RenderSettings settings)
     encoder_ = open_encoder(settings_, scene_, identity, tracks, std::move(sound),
                             std::move(encoder_trial));
     // While the encoder waited for another run to end, that run may have written the video.
-    if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, identity);
+    if (file && settings_.reuse != Reuse::overwrite) video::require_replaceable(*file, replaceable);
     text_tracks_ = std::make_unique<video::TextTrackFiles>(
-        settings_.video->path, settings_.video->container, tracks, identity,
+        settings_.video->path, settings_.video->container, tracks, replaceable,
         settings_.reuse == Reuse::overwrite);
   }
   if (output_) sequence_ = &output_->open();

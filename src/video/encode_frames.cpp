@@ -210,7 +210,7 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   std::vector<int> shown(manifest.frames.size());
   std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
   const std::string identity = video_identity(manifest, shown);
-  if (!output.overwrite) require_replaceable(output.path, identity);
+  if (!output.overwrite) require_replaceable(output.path, {identity});
   image::keep_memory_of_pictures(manifest.width, manifest.height);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
   const VideoFormat format = format_of(manifest, output, transparent);
@@ -220,8 +220,8 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   const TextTracks tracks = text_tracks_of(manifest, output);
   VideoEncoder encoder(output.path, format, identity, tracks.chapters, {}, std::move(sound));
   // While the encoder waited for another run to end, that run may have written the video.
-  if (!output.overwrite) require_replaceable(output.path, identity);
-  TextTrackFiles track_files(output.path, output.container, tracks, identity, output.overwrite);
+  if (!output.overwrite) require_replaceable(output.path, {identity});
+  TextTrackFiles track_files(output.path, output.container, tracks, {identity}, output.overwrite);
   FrameReader reader(manifest, folder);
   const int total = static_cast<int>(manifest.frames.size());
   for (int done = 0; done < total; progress(++done, total)) {

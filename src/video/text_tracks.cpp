@@ -120,14 +120,15 @@ std::vector<fs::path> text_track_files(const fs::path& video, Container containe
 }
 
 TextTrackFiles::TextTrackFiles(const fs::path& video, Container container, const TextTracks& tracks,
-                               const std::string& identity, bool overwrite) {
+                               const std::vector<std::string>& identities, bool overwrite) {
   const std::array all{&tracks.captions, &tracks.chapters};  // in the order of the files
   const std::vector<fs::path> paths = text_track_files(video, container);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const std::vector<Cue>* const cues = all.at(i);
     const fs::path& path = paths[i];
     const std::string before = is_nonempty_file(path) ? head_of(path) : "";
-    const bool is_own = is_track_of(before, identity);
+    const bool is_own = std::ranges::any_of(
+        identities, [&](const std::string& identity) { return is_track_of(before, identity); });
     if (cues->empty()) {
       if (is_own || (overwrite && is_track_of(before, any_identity))) outdated_.push_back(path);
       continue;
@@ -136,7 +137,7 @@ TextTrackFiles::TextTrackFiles(const fs::path& video, Container container, const
       throw system::ExistingFileError(path.string(),
                                       "it exists and is a text track of another video");
     }
-    const std::string text = web_vtt(*cues, identity);
+    const std::string text = web_vtt(*cues, identities.front());
     files_.emplace_back(path).write(
         {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   }

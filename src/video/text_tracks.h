@@ -60,10 +60,11 @@ std::vector<std::filesystem::path> text_track_files(const std::filesystem::path&
 /// is written or removed before finish().
 class TextTrackFiles {
  public:
-  /// `identity` is that of the video. Throws OverwriteError if a file exists and belongs to another
-  /// video, unless `overwrite` is set, and FileError.
+  /// The first of the `identities` is that of the video, and files with the others may be replaced,
+  /// too. Throws OverwriteError if a file exists and belongs to another video, unless `overwrite`
+  /// is set, and FileError.
   TextTrackFiles(const std::filesystem::path& video, Container container, const TextTracks& tracks,
-                 const std::string& identity, bool overwrite);
+                 const std::vector<std::string>& identities, bool overwrite);
 
   /// Throws FileError.
   void finish();

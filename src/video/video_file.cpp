@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
+#include <utility>
 
 #include "system/error.h"
 #include "system/sha256.h"
@@ -65,13 +67,24 @@ std::string video_identity(const Manifest& film, const std::vector<int>& frames)
                             reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-void require_replaceable(const fs::path& file, const std::string& identity) {
+std::string silent_video_identity(Manifest film, const std::vector<int>& frames) {
+  film.scene = without_sound(std::move(film.scene));
+  return video_identity(film, frames);
+}
+
+void require_replaceable(const fs::path& file, const std::vector<std::string>& identities) {
+  const auto is_own = [&](const std::string& comment) {
+    return std::ranges::find(identities, comment) != identities.end();
+  };
+  const auto has_own_comment = [&](const std::string& identity) {
+    return has_comment(file, identity);
+  };
   std::error_code failed;
   const bool stands = fs::is_regular_file(file, failed) && fs::file_size(file, failed) > 0;
-  if (!stands || has_comment(file, identity)) return;
+  if (!stands || std::ranges::any_of(identities, has_own_comment)) return;
   const auto comment =
       probe_webp(file) ? std::optional<std::string>("") : run_ffprobe(file, {}, &comment_of);
-  if (comment == identity) return;
+  if (comment && is_own(*comment)) return;
   throw system::ExistingFileError(file.string(), comment ? "it exists and is a different video"
                                                          : "it exists and is not a video");
 }

@@ -35,8 +35,12 @@ inline constexpr const char* any_identity = "twrench:";
 /// included: the same video rendered again by another version counts as the same.
 std::string video_identity(const Manifest& film, const std::vector<int>& frames);
 
-/// Throws OverwriteError if the file exists, is not empty, and is not the video with that identity.
-/// Such a file may be replaced only with the user's permission.
-void require_replaceable(const std::filesystem::path& file, const std::string& identity);
+/// Returns the identity of the same video without its sound.
+std::string silent_video_identity(Manifest film, const std::vector<int>& frames);
+
+/// Throws OverwriteError if the file exists, is not empty, and is not a video with one of these
+/// identities. Such a file may be replaced only with the user's permission.
+void require_replaceable(const std::filesystem::path& file,
+                         const std::vector<std::string>& identities);
 
 }  // namespace twrench::video

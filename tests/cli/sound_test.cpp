@@ -391,6 +391,28 @@ TEST(Narration, StartsWithItsShot) {
   EXPECT_EQ(run_twrench(folder, sound_film + "story/scene.toml -o story.gif").code, 0);
 }
 
+TEST(Sound, IsAddedToAFilmByItsResumption) {
+  const ScratchFolder folder;
+  write_tone(folder, "tone.wav", 4);
+  const std::string film =
+      "render --size 32x32 --fps 6 --progress none --duration 24 -o film.mp4 --frames-dir f ";
+  ASSERT_EQ(run_twrench(folder, film).code, 0);
+  const auto frame = [&] {
+    return std::filesystem::last_write_time(folder / "f/frame_000000.png");
+  };
+  const auto drawn = frame();
+  EXPECT_EQ(run_twrench(folder, film + "--sound motion").code, 5) << "may not be wanted";
+  const Outcome added = run_twrench(folder, film + "--resume --sound motion");
+  ASSERT_EQ(added.code, 0) << added.err;
+  EXPECT_EQ(frame(), drawn);
+  EXPECT_GT(level(samples_in(folder, "film.mp4"), 1, 3), 0);
+  EXPECT_EQ(run_twrench(folder, film + "--resume --sound motion").code, 0) << "the same film";
+  const Outcome other = run_twrench(folder, film + "--resume --audio tone.wav");
+  EXPECT_EQ(other.code, 5);
+  EXPECT_THAT(other.err, HasSubstr("a different video"));
+  EXPECT_THAT(other.err, HasSubstr("--overwrite instead of --resume"));
+}
+
 TEST(Encode, AddsAFileOrLeavesTheSoundOut) {
   const ScratchFolder folder;
   write_tone(folder, "tone.wav", 1);

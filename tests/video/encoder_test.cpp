@@ -365,8 +365,8 @@ TEST_P(EncoderEffort, EncodesEachOutputFormat) {
       }
       EXPECT_NO_THROW(encoder.finish()) << name;
       if (!is_default) continue;  // the identity does not depend on the effort
-      EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1")) << name;
-      EXPECT_THROW(require_replaceable(scratch / name, "twrench:2"), system::OverwriteError);
+      EXPECT_NO_THROW(require_replaceable(scratch / name, {"twrench:1"})) << name;
+      EXPECT_THROW(require_replaceable(scratch / name, {"twrench:2"}), system::OverwriteError);
     }
   }
 }
@@ -622,8 +622,8 @@ TEST(AnimatedImage, SaysWhatItIsOf) {
   const ScratchFolder scratch;
   for (const char* name : {"film.gif", "film.webp"}) {
     animated(scratch, name, 25, 3);
-    EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1"));
-    EXPECT_THROW(require_replaceable(scratch / name, "twrench:2"), system::OverwriteError);
+    EXPECT_NO_THROW(require_replaceable(scratch / name, {"twrench:1"}));
+    EXPECT_THROW(require_replaceable(scratch / name, {"twrench:2"}), system::OverwriteError);
     EXPECT_THAT(scratch.names(), testing::Contains(name));
   }
   for (const std::string& name : scratch.names())
@@ -636,7 +636,7 @@ TEST(AnimatedImage, OfOnePictureIsThatPicture) {
     VideoEncoder encoder(scratch / name, {65, 47, 25, container_of(name)}, "twrench:1");
     for (int k = 0; k < 5; ++k) encoder.write(square_at(2, 3));
     EXPECT_NO_THROW(encoder.finish()) << name;
-    EXPECT_NO_THROW(require_replaceable(scratch / name, "twrench:1"));
+    EXPECT_NO_THROW(require_replaceable(scratch / name, {"twrench:1"}));
     VideoEncoder single(scratch / name, {65, 47, 60, container_of(name)}, "twrench:1");
     single.write(square_at(2, 3));
     EXPECT_NO_THROW(single.finish()) << name;

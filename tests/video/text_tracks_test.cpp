@@ -61,60 +61,61 @@ const TextTracks tracks{cues, {{0, 1, "start"}, {1, 2, "flip 1 at 3 s"}}};
 TEST(TextTrackFiles, AppearBesideTheVideoWhenTheyAreFinished) {
   const ScratchFolder folder;
   {
-    TextTrackFiles files(folder / "film.mp4", Container::mp4, tracks, "twrench:1", false);
+    TextTrackFiles files(folder / "film.mp4", Container::mp4, tracks, {"twrench:1"}, false);
     EXPECT_FALSE(fs::exists(folder / "film.vtt"));
     files.finish();
   }
   EXPECT_EQ(text_in(folder / "film.vtt"), web_vtt(tracks.captions, "twrench:1"));
   EXPECT_EQ(text_in(folder / "film.chapters.vtt"), web_vtt(tracks.chapters, "twrench:1"));
   {
-    const TextTrackFiles given_up(folder / "other.mp4", Container::mp4, tracks, "twrench:1", false);
+    const TextTrackFiles given_up(folder / "other.mp4", Container::mp4, tracks, {"twrench:1"},
+                                  false);
   }
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 2);
 }
 
 TEST(TextTrackFiles, AreNotWrittenForEmptyTracksNorBesideDevices) {
   const ScratchFolder folder;
-  TextTrackFiles(folder / "film.mp4", Container::mp4, {{}, tracks.chapters}, "twrench:1", false)
+  TextTrackFiles(folder / "film.mp4", Container::mp4, {{}, tracks.chapters}, {"twrench:1"}, false)
       .finish();
   EXPECT_FALSE(fs::exists(folder / "film.vtt"));
   EXPECT_TRUE(fs::exists(folder / "film.chapters.vtt"));
-  TextTrackFiles("/dev/null", Container::mp4, tracks, "twrench:1", false).finish();
-  TextTrackFiles("-", Container::mp4, tracks, "twrench:1", false).finish();
+  TextTrackFiles("/dev/null", Container::mp4, tracks, {"twrench:1"}, false).finish();
+  TextTrackFiles("-", Container::mp4, tracks, {"twrench:1"}, false).finish();
   EXPECT_FALSE(fs::exists("/dev/null.vtt"));
   EXPECT_FALSE(fs::exists("-.vtt"));
 }
 
 TEST(TextTrackFiles, ReplaceOnlyTheirOwn) {
   const ScratchFolder folder;
-  TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, "twrench:1", false).finish();
+  TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, {"twrench:1"}, false).finish();
   EXPECT_NO_THROW(
-      TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, "twrench:1", false).finish());
-  EXPECT_THROW(TextTrackFiles(folder / "film.webm", Container::webm, tracks, "twrench:2", false),
+      TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, {"twrench:1"}, false).finish());
+  EXPECT_THROW(TextTrackFiles(folder / "film.webm", Container::webm, tracks, {"twrench:2"}, false),
                system::OverwriteError);
   EXPECT_THROW(TextTrackFiles(folder / "film.webm", Container::webm, {{}, tracks.chapters},
-                              "twrench:2", false),
+                              {"twrench:2"}, false),
                system::OverwriteError);
   EXPECT_NO_THROW(
-      TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, "twrench:2", true).finish());
+      TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, {"twrench:2"}, true).finish());
   EXPECT_EQ(text_in(folder / "film.vtt"), web_vtt(cues, "twrench:2"));
 }
 
 TEST(TextTrackFiles, RemoveTheirOwnThatAreOutdated) {
   const ScratchFolder folder;
   const auto left = [&] { return fs::exists(folder / "film.chapters.vtt"); };
-  TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, "twrench:1", false).finish();
-  TextTrackFiles(folder / "film.mp4", Container::mp4, {}, "twrench:2", false).finish();
+  TextTrackFiles(folder / "film.mp4", Container::mp4, tracks, {"twrench:1"}, false).finish();
+  TextTrackFiles(folder / "film.mp4", Container::mp4, {}, {"twrench:2"}, false).finish();
   EXPECT_TRUE(left());
-  { const TextTrackFiles given_up(folder / "film.mp4", Container::mp4, {}, "twrench:1", false); }
+  { const TextTrackFiles given_up(folder / "film.mp4", Container::mp4, {}, {"twrench:1"}, false); }
   EXPECT_TRUE(left());
-  TextTrackFiles(folder / "film.mp4", Container::mp4, {cues, {}}, "twrench:1", false).finish();
+  TextTrackFiles(folder / "film.mp4", Container::mp4, {cues, {}}, {"twrench:1"}, false).finish();
   EXPECT_FALSE(left());
   EXPECT_TRUE(fs::exists(folder / "film.vtt"));
-  TextTrackFiles(folder / "film.mp4", Container::mp4, {}, "twrench:2", true).finish();
+  TextTrackFiles(folder / "film.mp4", Container::mp4, {}, {"twrench:2"}, true).finish();
   EXPECT_FALSE(fs::exists(folder / "film.vtt"));
   std::ofstream(folder / "film.vtt") << "WEBVTT\n\nof a user's own";
-  TextTrackFiles(folder / "film.mp4", Container::mp4, {}, "twrench:2", true).finish();
+  TextTrackFiles(folder / "film.mp4", Container::mp4, {}, {"twrench:2"}, true).finish();
   EXPECT_TRUE(fs::exists(folder / "film.vtt"));
 }
 

@@ -14,6 +14,7 @@
 #include "image/picture_memory.h"
 #include "scene/languages.h"
 #include "scene/video_length.h"
+#include "system/error.h"
 #include "system/termination.h"
 
 namespace twrench::app {
@@ -65,6 +66,19 @@ void render(const RenderOptions& options) {
   }
 }
 
+/// Also corrects the remedy of an error about an existing video, because --resume excludes
+/// --overwrite.
+void render_with_remedies(const RenderOptions& options) {
+  try {
+    render(options);
+  } catch (const system::ExistingFileError& error) {
+    if (!options.resume) throw;
+    throw system::ExistingFileError(
+        "--resume", error.what(),
+        "--overwrite instead of --resume replaces it, or choose another name");
+  }
+}
+
 }  // namespace
 
 void add_render(CLI::App& app) {
@@ -75,8 +89,9 @@ void add_render(CLI::App& app) {
                   "Example: twrench render dzhanibekov --size 1280x720 -o flip.mp4\n"
                   "Exit codes: 3 no OpenGL, 4 no ffmpeg, 130 or 143 interrupted.");
   const auto options = std::make_shared<RenderOptions>(*command);
-  command->callback(
-      [options] { Progress::tell_failure_of([&] { render(*options); }, options->progress); });
+  command->callback([options] {
+    Progress::tell_failure_of([&] { render_with_remedies(*options); }, options->progress);
+  });
 }
 
 }  // namespace twrench::app
