@@ -23,29 +23,47 @@ std::string short_number(double value) {
   return (value < 0 ? "−" : "") + fmt::format("{:.3g}", std::abs(value));
 }
 
-/// "x₁₁" for a body axis, and words for another axis of the body.
-std::string component_name(const std::string& axis) {
-  const std::size_t k = std::string_view("xyz").find(axis);
-  if (k == std::string_view::npos)
-    return fmt::format("The component of the principal axis {} along its initial direction", axis);
-  return fmt::format("x{0}{0}", subscripts[k]);
-}
-
-/// How far an axis of the body goes from its initial direction.
+/// How far a principal axis goes from its initial direction.
 struct Excursion {
-  double least_cosine = 1;   ///< Cosine of the largest angle from the initial direction.
-  double largest_cross = 0;  ///< Largest component perpendicular to it.
+  /// "x₁₁" if the body axis x is the axis and lies along the space axis; otherwise words.
+  std::string component;
+  /// Smallest value of that component, the cosine of the largest angle from the initial direction.
+  double least_cosine = 1;
+  /// Largest length of the part perpendicular to the initial direction.
+  double largest_sine = 0;
+  /// "x₂₁ and x₃₁ reach 0.99 and 0.9 in magnitude", or the same about `largest_sine`.
+  std::string perpendicular;
 };
 
-Excursion excursion(const Solution& solution, const Eigen::Vector3d& axis) {
+Excursion excursion(const Solution& solution, body::PrincipalAxes::Axis principal_axis) {
+  const Eigen::Matrix3d& axes = solution.body.principal().axes;
+  const Eigen::Vector3d axis = axes.col(principal_axis);
+  const Eigen::Vector3d initial = solution.reference.front().X * axis;
   Excursion result;
+  Eigen::Vector3d largest = Eigen::Vector3d::Zero();
   for (const motion::Sample& sample : solution.reference) {
     const Eigen::Vector3d now = sample.X * axis;
-    const double cosine = now.dot(axis);
+    const double cosine = now.dot(initial);
+    const Eigen::Vector3d across = now - cosine * initial;
     result.least_cosine = std::min(result.least_cosine, cosine);
-    result.largest_cross =
-        std::max(result.largest_cross, (now - cosine * axis).cwiseAbs().maxCoeff());
+    result.largest_sine = std::max(result.largest_sine, across.norm());
+    largest = largest.cwiseMax(across.cwiseAbs());
   }
+  const std::string name = scene::axis_name(axes, principal_axis);
+  const std::size_t k = std::string_view("xyz").find(name);
+  if (k == std::string_view::npos || initial != Eigen::Vector3d::Unit(static_cast<int>(k))) {
+    result.component =
+        fmt::format("The component of the principal axis {} along its initial direction", name);
+    result.perpendicular = fmt::format("The part of this axis across that direction reaches {}",
+                                       short_number(result.largest_sine));
+    return result;
+  }
+  const std::size_t i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;
+  result.component = fmt::format("x{0}{0}", subscripts[k]);
+  result.perpendicular =
+      fmt::format("x{0}{2} and x{1}{2} reach {3} and {4} in magnitude", subscripts[i],
+                  subscripts[j], subscripts[k], short_number(largest[static_cast<int>(i)]),
+                  short_number(largest[static_cast<int>(j)]));
   return result;
 }
 
@@ -82,8 +100,7 @@ std::string waiting(const Solution& solution, const motion::ExactMotion::Flips& 
 }
 
 std::string turning_over(const Solution& solution, const motion::ExactMotion::Flips& flips) {
-  const body::PrincipalAxes& principal = solution.body.principal();
-  const Excursion far = excursion(solution, principal.axes.col(1));
+  const Excursion far = excursion(solution, body::PrincipalAxes::intermediate);
   std::vector<double> times = solution.own.flip_times;
   const bool all = times.size() <= 6;
   times.resize(std::min<std::size_t>(times.size(), 6));
@@ -95,12 +112,10 @@ std::string turning_over(const Solution& solution, const motion::ExactMotion::Fl
   return fmt::format(
              "{} starts at 1 and falls to {}: the body turns over. Its intermediate axis swings "
              "through {} degrees, from one side of the plane normal to L to the other, and the "
-             "body "
-             "goes on spinning in the same sense in space. The other components of this axis reach "
-             "{}. The body flips, as ω₂ changes sign, at {:.4g}{} s. ",
-             component_name(scene::axis_name(principal.axes, 1)), short_number(far.least_cosine),
-             short_number(flips.swing * in_degrees), short_number(far.largest_cross),
-             fmt::join(times, ", "), all ? "" : ", …") +
+             "body goes on spinning in the same sense in space. {}. The body flips, as ω₂ changes "
+             "sign, at {:.4g}{} s. ",
+             far.component, short_number(far.least_cosine), short_number(flips.swing * in_degrees),
+             far.perpendicular, fmt::join(times, ", "), all ? "" : ", …") +
          waiting(solution, flips) + repetition(solution, flips);
 }
 
@@ -108,21 +123,19 @@ std::string wobbling(const Solution& solution, const motion::ExactMotion::Flips&
   const body::PrincipalAxes& principal = solution.body.principal();
   const bool least = solution.exact->kind() == motion::ExactMotion::Kind::about_least;
   const auto axis = least ? body::PrincipalAxes::least : body::PrincipalAxes::greatest;
-  const Excursion far = excursion(solution, principal.axes.col(axis));
+  const Excursion far = excursion(solution, axis);
   const motion::Stability stable = motion::stability(
       principal.moments, axis, solution.body.momentum().norm() / principal.moments[axis]);
   return fmt::format(
              "{} stays above {:.3f}: the axis of {} moment stays within {} degrees of its initial "
-             "direction, and its other components below {}. The body wobbles and does not turn "
-             "over. The "
-             "components of the other two axes oscillate with about the period of the spin, 2π/|ω| "
-             "= {} s, "
-             "and the wobble has the period 4K(m)/λ = {} s, {} s in the limit of a small tilt. ",
-             component_name(scene::axis_name(principal.axes, axis)),
-             std::floor(far.least_cosine * 1000) / 1000, least ? "least" : "greatest",
+             "direction. {}. The body wobbles and does not turn over. The components of the other "
+             "two axes oscillate with about the period of the spin, 2π/|ω| = {} s, and the wobble "
+             "has the period 4K(m)/λ = {} s, {} s in the limit of a small tilt. ",
+             far.component, std::floor(far.least_cosine * 1000) / 1000,
+             least ? "least" : "greatest",
              short_number(std::acos(std::max(far.least_cosine, -1.0)) * in_degrees),
-             short_number(far.largest_cross), spin_period(solution),
-             short_number(2 * flips.interval), short_number(stable.period())) +
+             far.perpendicular, spin_period(solution), short_number(2 * flips.interval),
+             short_number(stable.period())) +
          repetition(solution, flips);
 }
 

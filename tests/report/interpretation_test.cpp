@@ -36,6 +36,21 @@ TEST(Interpretation, OfABodyThatTurnsOver) {
   EXPECT_THAT(of_scene("dzhanibekov", 5), HasSubstr("the first flip is at 11.8 s"));
 }
 
+TEST(Interpretation, StatesHowFarEachComponentGoes) {
+  // Independent: the closed form, sampled every millisecond.
+  EXPECT_THAT(of_scene("dzhanibekov"), HasSubstr("x₂₁ and x₃₁ reach 1 and 0.9 in magnitude"));
+}
+
+TEST(Interpretation, ComparesWithTheInitialDirection) {
+  Experiment experiment{scene::load_scene("dzhanibekov"), {}};
+  experiment.scene.motion.attitude = Eigen::Quaterniond(0, 0, 1, 0);
+  experiment.scene.motion.omega = Eigen::Vector3d(-1, 0.04, 0);
+  EXPECT_THAT(interpretation(solve(experiment)),
+              AllOf(StartsWith("The component of the principal axis x along its initial direction "
+                               "starts at 1 and falls to −1"),
+                    HasSubstr("The part of this axis across that direction reaches 1.")));
+}
+
 // The motion does not begin with a rotation about the intermediate axis.
 TEST(Interpretation, OfABodyThatTurnsOverFarFromItsUnstableAxis) {
   const std::string text = of_moments({1, 1.01, 2}, {1, 0.5, 0.1});
