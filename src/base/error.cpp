@@ -72,23 +72,28 @@ std::string with_short_quotations(const std::string& text) {
 }
 
 std::string printable(const std::string& text, std::size_t most) {
-  std::string result = without_middle(with_short_quotations(text), most);
+  std::string result = without_middle(text, most);
   for (std::size_t at = 0; (at = result.find('\0', at)) != std::string::npos;) {
     result.replace(at, 1, "\\x00");
   }
   return result;
 }
 
+std::string printable_message(const std::string& text) {
+  return printable(with_short_quotations(text), longest_part);
+}
+
 }  // namespace
 
 Error::Error(const std::string& what, const std::string& why, const std::string& remedy)
-    : std::runtime_error(printable(what, longest_part) + ": " + printable(why, longest_part)),
+    : std::runtime_error(printable_message(what) + ": " + printable_message(why)),
+      // A remedy may quote options to repeat, which must be whole.
       remedy_(printable(remedy, longest_remedy)) {}
 
 Error::~Error() = default;
 InvalidArgument::~InvalidArgument() = default;
 OutOfRange::~OutOfRange() = default;
 
-std::string Error::quoted(const std::string& what) { return printable(what, longest_part); }
+std::string Error::quoted(const std::string& what) { return printable_message(what); }
 
 }  // namespace twrench

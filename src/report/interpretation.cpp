@@ -29,33 +29,32 @@ struct Excursion {
   std::string component;
   /// Smallest value of that component, the cosine of the largest angle from the initial direction.
   double least_cosine = 1;
-  /// Largest length of the part perpendicular to the initial direction.
-  double largest_sine = 0;
-  /// "x₂₁ and x₃₁ reach 0.99 and 0.9 in magnitude", or the same about `largest_sine`.
+  /// How far it goes across that direction: "x₂₁ and x₃₁ reach 0.99 and 0.9 in magnitude".
   std::string perpendicular;
 };
 
 Excursion excursion(const Solution& solution, body::PrincipalAxes::Axis principal_axis) {
   const Eigen::Matrix3d& axes = solution.body.principal().axes;
-  const Eigen::Vector3d axis = axes.col(principal_axis);
+  const std::string name = scene::axis_name(axes, principal_axis);
+  const std::size_t k = std::string_view("xyz").find(name);
+  const Eigen::Vector3d axis = scene::named_axis(axes, principal_axis);
   const Eigen::Vector3d initial = solution.reference.front().X * axis;
   Excursion result;
+  double largest_sine = 0;  // Largest length of the part perpendicular to the initial direction.
   Eigen::Vector3d largest = Eigen::Vector3d::Zero();
   for (const motion::Sample& sample : solution.reference) {
     const Eigen::Vector3d now = sample.X * axis;
     const double cosine = now.dot(initial);
     const Eigen::Vector3d across = now - cosine * initial;
     result.least_cosine = std::min(result.least_cosine, cosine);
-    result.largest_sine = std::max(result.largest_sine, across.norm());
+    largest_sine = std::max(largest_sine, across.norm());
     largest = largest.cwiseMax(across.cwiseAbs());
   }
-  const std::string name = scene::axis_name(axes, principal_axis);
-  const std::size_t k = std::string_view("xyz").find(name);
-  if (k == std::string_view::npos || initial != Eigen::Vector3d::Unit(static_cast<int>(k))) {
+  if (k == std::string_view::npos || initial != axis) {
     result.component =
         fmt::format("The component of the principal axis {} along its initial direction", name);
     result.perpendicular = fmt::format("The part of this axis across that direction reaches {}",
-                                       short_number(result.largest_sine));
+                                       short_number(largest_sine));
     return result;
   }
   const std::size_t i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;

@@ -8,11 +8,19 @@
 namespace twrench::scene {
 
 std::string axis_name(const Eigen::Matrix3d& axes, int axis) {
+  const Eigen::Vector3d named = named_axis(axes, axis);
+  for (const int k : {0, 1, 2}) {
+    if (named == Eigen::Vector3d::Unit(k)) return std::string(1, "xyz"[k]);
+  }
+  return fmt::format("I{}", axis + 1);
+}
+
+Eigen::Vector3d named_axis(const Eigen::Matrix3d& axes, int axis) {
   constexpr double along = 1 - 1e-9;
   Eigen::Index nearest = 0;
   const double most = axes.col(axis).cwiseAbs().maxCoeff(&nearest);
-  if (most > along) return std::string(1, "xyz"[nearest]);
-  return fmt::format("I{}", axis + 1);
+  if (most > along) return Eigen::Vector3d::Unit(nearest);
+  return axes.col(axis);
 }
 
 std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,

@@ -13,6 +13,9 @@ namespace twrench::scene {
 /// coincides, or else I1, I2 or I3.
 std::string axis_name(const Eigen::Matrix3d& axes, int axis);
 
+/// Returns the unit vector of that name in body axes: of x, y or z in the positive direction.
+Eigen::Vector3d named_axis(const Eigen::Matrix3d& axes, int axis);
+
 /// Describes the effect of a small tilt on a body that rotates about a principal axis at `omega`
 /// rad/s, such as "unstable about x, doubles every 1.88 s at 1 rad/s".
 std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,

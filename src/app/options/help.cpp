@@ -51,7 +51,7 @@ const std::vector<std::string>& most_used_of(const Command& command) {
   static const std::map<std::string, std::vector<std::string>> all{
       {"render",
        {"--output", "--size", "--duration", "--speed", "--length", "--omega", "--view", "--show",
-        "--background", "--theme", "--title"}},
+        "--theme", "--title"}},
       {"export",
        {"--output", "--format", "--max-angle", "--fps", "--duration", "--speed", "--omega",
         "--inertia", "--method", "--unit"}},
