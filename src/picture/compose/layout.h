@@ -58,7 +58,7 @@ struct Layout {
   std::vector<Pane> panes;
   /// The views of scene::insets, in their order.
   std::array<std::optional<Pane>, scene::insets.size()> insets;
-  /// The nine components, and one of them, x11, large.
+  /// The nine components, and the one that shows whether the body turns over, large.
   std::optional<image::Area> components, curve;
   /// The title, with the method below it or, in a comparison, the time on the right.
   std::optional<image::Area> title;

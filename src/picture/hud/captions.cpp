@@ -47,10 +47,17 @@ bool has_leg(const scene::Body& body) {
 
 }  // namespace
 
-std::string curve(const scene::Body& body, scene::Language language) {
-  constexpr Phrase of_leg{"which way the leg points", "hvilken vei beinet peker"},
-      of_x{"the body's x axis along space x", "legemets x-akse langs rommets"};
-  return (has_leg(body) ? of_leg : of_x).in(language);
+std::string curve(const scene::Body& body, const std::string& axis, bool starts_in_space,
+                  scene::Language language) {
+  if (axis == "x" && has_leg(body))
+    return Phrase("which way the leg points", "hvilken vei beinet peker").in(language);
+  if (starts_in_space) {
+    return Phrase("the body's {} axis along space {}", "legemets {}-akse langs rommets {}")
+        .in(language, axis, axis);
+  }
+  return Phrase("the body's {} axis along its first direction",
+                "legemets {}-akse langs sin første retning")
+      .in(language, axis);
 }
 
 std::string longest_remark(scene::Language language) {

@@ -11,10 +11,12 @@
 // The texts that explain the picture, in UTF-8.
 namespace twrench::picture::captions {
 
-/// Returns the meaning of x11. A body has a leg if one part lies along the x axis on the positive
-/// side and reaches farther from the centre of mass than all others in that direction or the
-/// opposite one.
-std::string curve(const scene::Body& body, scene::Language language);
+/// Returns the meaning of the component of an axis along its direction at t = 0; `starts_in_space`
+/// states that this is the space axis of the same name. A body has a leg if one part lies along the
+/// x axis on the positive side and reaches farther from the centre of mass than all others in that
+/// direction or the opposite one.
+std::string curve(const scene::Body& body, const std::string& axis, bool starts_in_space,
+                  scene::Language language);
 
 /// The remarks on a motion: around each flip of the method's own solution, that the body turns
 /// over; once the matrix is 1 % off, that it is no rotation.

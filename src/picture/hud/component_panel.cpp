@@ -33,7 +33,7 @@ void ComponentPanel::place_plots(const image::Area& area, double label_size) {
     const int top = inner.y + row * inner.height / rows + label;
     const int bottom = inner.y + (row + 1) * inner.height / rows - gap;
     if (right <= left || bottom <= top) continue;
-    plots_.push_back({i / 3, i % 3, {left, top, right - left, bottom - top}});
+    plots_.push_back(component(i / 3, i % 3, {left, top, right - left, bottom - top}));
   }
 }
 

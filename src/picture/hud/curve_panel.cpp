@@ -1,6 +1,7 @@
 #include "picture/hud/curve_panel.h"
 
 #include <fmt/format.h>
+#include <twrench/motion/stability.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include "base/time_unit.h"
 #include "picture/hud/captions.h"
 #include "picture/hud/hud_text.h"
+#include "scene/prediction.h"
 
 namespace twrench::picture {
 namespace {
@@ -17,6 +19,12 @@ namespace {
 constexpr double panel_padding = 0.8, caption_line = 1.5, scale_width = 1.9, times_line = 1.5;
 constexpr double least_width = 16, least_caption_height = 5, least_times_height = 7;
 constexpr double flip_label_gap = 0.6;
+
+/// The principal axis that turns over or, if none does, the one nearest to L.
+body::PrincipalAxes::Axis shown_axis(const timeline::Solution& solution) {
+  if (solution.flips) return body::PrincipalAxes::intermediate;
+  return motion::Tilt(solution.body).axis();
+}
 
 }  // namespace
 
@@ -32,7 +40,8 @@ CurvePanel::CurvePanel(const scene::Scene& scene, const std::vector<timeline::So
       area.width >= 0.75 * least_width * size_ && area.height >= least_caption_height * size_;
   scaled_ = area.width >= least_width * size_ && captioned_;
   timed_ = flips && scaled_ && area.height >= least_times_height * size_;
-  place_plot(area);
+  const auto turning = std::ranges::find_if(solutions, &timeline::Solution::turns_over);
+  place_plot(area, turning == solutions.end() ? solutions[0] : *turning);
   if (plots_.empty()) return;
   if (captioned_) draw_caption(scene, area);
   if (scaled_) draw_scale(scene);
@@ -42,7 +51,7 @@ CurvePanel::CurvePanel(const scene::Scene& scene, const std::vector<timeline::So
   add_curves(solutions);
 }
 
-void CurvePanel::place_plot(const image::Area& area) {
+void CurvePanel::place_plot(const image::Area& area, const timeline::Solution& solution) {
   const double padding = std::min(panel_padding * size_, 0.08 * area.height);
   const int left =
       static_cast<int>(std::ceil(area.x + padding + (scaled_ ? scale_width * size_ : 0)));
@@ -51,26 +60,38 @@ void CurvePanel::place_plot(const image::Area& area) {
   const int right = static_cast<int>(area.x + area.width - padding);
   const int bottom =
       static_cast<int>(area.y + area.height - padding - (timed_ ? times_line * size_ : 0));
-  if (right > left && bottom > top)
-    plots_.push_back({0, 0, {left, top, right - left, bottom - top}});
+  if (!(right > left && bottom > top)) return;
+  const Eigen::Matrix3d& axes = solution.body.principal().axes;
+  const body::PrincipalAxes::Axis shown = shown_axis(solution);
+  Eigen::Index nearest = 0;
+  axes.col(shown).cwiseAbs().maxCoeff(&nearest);
+  const int k = static_cast<int>(nearest);
+  axis_ = scene::axis_name(axes, shown);
+  Plot plot = component(k, k, {left, top, right - left, bottom - top});
+  plot.axis = scene::named_axis(axes, shown);
+  plot.direction = solution.whole.front().X * plot.axis;
+  plots_.push_back(plot);
 }
 
 void CurvePanel::draw_caption(const scene::Scene& scene, const image::Area& area) {
   const double padding = panel_padding * size_;
   const double room = (area.width - 2 * padding) / size_;
-  const std::string meaning = captions::curve(scene.body, scene.language);
-  canvas::Line line = canvas::typeset(font_, fmt::format("{} ({})", meaning, name_of(plots_[0])));
+  const bool is_component = plots_[0].direction == plots_[0].axis && !axis_.starts_with('I');
+  const std::string meaning = captions::curve(scene.body, axis_, is_component, scene.language);
+  canvas::Line line = canvas::typeset(
+      font_, is_component ? fmt::format("{} ({})", meaning, name_of(plots_[0])) : meaning);
   if (line.width > room) line = canvas::typeset_within(font_, meaning, room);
   ground().text(line, size_, {area.x + padding, area.y + padding + 0.85 * size_}, {colors_.text});
 }
 
-/// Labels the two ends of the scale, the directions along space x: as arrows if the camera sees
-/// them from a fixed side, otherwise as numbers.
+/// Labels the two ends of the scale: directions along space x as arrows if the camera sees them
+/// from a fixed side, others as numbers.
 void CurvePanel::draw_scale(const scene::Scene& scene) {
   const Plot& plot = plots_[0];
   const double side = std::cos(scene.camera.azimuth);
   for (const double end : {1.0, -1.0}) {
-    if (scene.camera.orbit == 0 && std::abs(side) > 0.5) {
+    if (plot.direction == Eigen::Vector3d::UnitX() && scene.camera.orbit == 0 &&
+        std::abs(side) > 0.5) {
       draw_arrow(plot.y(end), side > 0 ? end : -end);
     } else {
       ground().text(canvas::typeset(font_, end > 0 ? "1" : "−1"), size_,

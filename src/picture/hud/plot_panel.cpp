@@ -67,22 +67,25 @@ void PlotPanel::draw_curves(canvas::Canvas& canvas, const timeline::Solution& so
   for (const Plot& plot : plots_) {
     std::vector<canvas::Canvas::Point> points;
     for (const motion::Sample& sample : solution.whole) {
-      points.push_back({plot.x(sample.t / duration_), plot.y(sample.X(plot.row, plot.column))});
+      points.push_back({plot.x(sample.t / duration_), plot.y(plot.value(sample))});
     }
     canvas.polyline(points, thickness_, {ink(plot, index), opacity});
   }
 }
 
-std::string PlotPanel::name_of(const Plot& plot) {
+PlotPanel::Plot PlotPanel::component(int row, int column, const image::Area& area) {
+  return {Eigen::Vector3d::Unit(row), Eigen::Vector3d::Unit(column),
+          static_cast<std::size_t>(3 * row + column), area};
+}
+
+std::string PlotPanel::name_of(const Plot& component) {
   static constexpr std::array digits{"₁", "₂", "₃"};
-  return fmt::format("x{}{}", digits[static_cast<std::size_t>(plot.row)],
-                     digits[static_cast<std::size_t>(plot.column)]);
+  return fmt::format("x{}{}", digits[component.color / 3], digits[component.color % 3]);
 }
 
 Color PlotPanel::ink(const Plot& plot, std::size_t solution) const {
   if (compares()) return solution_color(colors_, solution);
-  return colors_
-      .curve[3 * static_cast<std::size_t>(plot.row) + static_cast<std::size_t>(plot.column)];
+  return colors_.curve[plot.color];
 }
 
 std::vector<Layer> PlotPanel::draw(const timeline::FrameState& state) {
@@ -101,7 +104,7 @@ std::vector<Layer> PlotPanel::draw(const timeline::FrameState& state) {
     canvas.rectangle(plot.x(share) - width / 2, plot.area.y, width, plot.area.height,
                      {colors_.text, 0.6});
     for (std::size_t i = 0; i < solutions_; ++i) {
-      const double value = state.solutions[i].sample.X(plot.row, plot.column);
+      const double value = plot.value(state.solutions[i].sample);
       canvas.disc({plot.x(share), plot.y(value)}, 1.8 * thickness_, {ink(plot, i)});
     }
   }

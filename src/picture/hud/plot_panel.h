@@ -16,10 +16,13 @@ class PlotPanel : public Element {
   std::vector<Layer> draw(const timeline::FrameState& state) override;
 
  protected:
-  /// The component of X in that row and column, counted from 0, against time.
+  /// The component of a body axis along a direction in space against time.
   struct Plot {
-    int row, column;
+    Eigen::Vector3d direction, axis;  ///< Unit vectors.
+    std::size_t color;                ///< Index into OverlayColors::curve.
     image::Area area;
+
+    double value(const motion::Sample& sample) const { return direction.dot(sample.X * axis); }
 
     /// Return the position in the picture, in px, of a share of the duration and of a value.
     double x(double share) const { return area.x + share * area.width; }
@@ -43,8 +46,11 @@ class PlotPanel : public Element {
   /// Draws the zero lines.
   void mark_zeros();
 
-  /// Returns the name of a component, "x₁₁" for the first.
-  static std::string name_of(const Plot& plot);
+  /// Returns the plot of the component of X in that row and column, counted from 0.
+  static Plot component(int row, int column, const image::Area& area);
+
+  /// Returns the name of a component of X, "x₁₁" for the first.
+  static std::string name_of(const Plot& component);
 
   bool compares() const { return solutions_ > 1; }
   Color ink(const Plot& plot, std::size_t solution) const;

@@ -13,7 +13,7 @@ body::Part sphere(double radius, const Eigen::Vector3d& position) {
 }
 
 bool speaks_of_a_leg(const scene::Body& body) {
-  return curve(body, scene::Language::en).find("leg") != std::string::npos;
+  return curve(body, "x", true, scene::Language::en).find("leg") != std::string::npos;
 }
 
 TEST(CurveCaption, SpeaksOfALegOnlyWhereThereIsOneAlongX) {
@@ -68,7 +68,10 @@ TEST(Remarks, AreInTheLanguageOfTheScene) {
   scene.language = scene::Language::nb;
   EXPECT_EQ(remark_at(scene, 11.815).text, "den snur");
   EXPECT_EQ(remark_at(scene, 0, 0.02).text, "ikke lenger en rotasjon");
-  EXPECT_EQ(curve(scene.body, scene.language), "hvilken vei beinet peker");
+  EXPECT_EQ(curve(scene.body, "x", true, scene.language), "hvilken vei beinet peker");
+  EXPECT_EQ(curve(scene.body, "y", true, scene.language), "legemets y-akse langs rommets y");
+  EXPECT_EQ(curve(scene.body, "I2", false, scene.language),
+            "legemets I2-akse langs sin første retning");
 }
 
 TEST(Remarks, SayNothingOfABodyThatDoesNotTurnOver) {

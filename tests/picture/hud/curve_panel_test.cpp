@@ -34,6 +34,56 @@ TEST(CurvePanel, ShowsX11AndNoOtherComponent) {
   EXPECT_FALSE(same(drawn_curve(film, state), before));
 }
 
+/// A picture of the panel at t = 0 with another attitude in its place.
+std::vector<Layer> drawn_at(const OverlayScene& film, const Eigen::Matrix3d& attitude) {
+  timeline::FrameState state = film.timeline.frame_state(0);
+  state.solutions[0].sample.X = attitude;
+  return drawn_curve(film, state);
+}
+
+Eigen::Matrix3d half_turn(const Eigen::Vector3d& axis) {
+  return 2 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+}
+
+/// The film of a body with the principal moments (1, 2, 3) times the scale about these axes, which
+/// spins about one of them.
+OverlayScene spinning(const Eigen::Matrix3d& axes, int spin, double scale) {
+  scene::Scene scene = curve_film();
+  const Eigen::Vector3d moments(scale, 2 * scale, 3 * scale);
+  scene.body = {{}, axes * moments.asDiagonal() * axes.transpose()};
+  scene.motion.omega = axes.col(spin) + 0.02 * axes.col((spin + 1) % 3);
+  return OverlayScene(scene);
+}
+
+TEST(CurvePanel, FollowsTheAxisThatTurnsOver) {
+  Eigen::Matrix3d as_given = Eigen::Matrix3d::Identity(), turned, between;
+  turned << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // The intermediate axis is z.
+  between = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
+  for (const Eigen::Matrix3d& axes : {as_given, turned, between}) {
+    for (const double scale : {1e-12, 1.0, 1e12}) {
+      for (const int spin : {0, 1, 2}) {
+        const OverlayScene film = spinning(axes, spin, scale);
+        const auto start = drawn_at(film, Eigen::Matrix3d::Identity());
+        for (const int axis : {0, 1, 2}) {
+          const auto after = drawn_at(film, half_turn(axes.col(axis)));
+          EXPECT_EQ(same(start, after), axis == spin) << axes << "\n" << spin << ", " << scale;
+        }
+      }
+    }
+  }
+}
+
+TEST(CurvePanel, StartsAtOneWithAnyAttitude) {
+  scene::Scene scene = curve_film();
+  scene.motion.attitude = Eigen::Quaterniond(0.8, 0, 0.6, 0);
+  const OverlayScene tilted(scene);
+  const Eigen::Matrix3d start = tilted.timeline.frame_state(0).solutions[0].sample.X;
+  const auto drawn = drawn_at(tilted, start);
+  const Eigen::Matrix3d about_x = half_turn(Eigen::Vector3d::UnitX());
+  EXPECT_TRUE(same(drawn_at(tilted, start * about_x), drawn));
+  EXPECT_FALSE(same(drawn_at(tilted, Eigen::Matrix3d::Identity()), drawn));
+}
+
 TEST(CurvePanel, TicksTheFlipsOfTheMethodItself) {
   const OverlayScene film(curve_film());
   std::vector<timeline::Solution> moved = film.timeline.solutions();
