@@ -35,6 +35,12 @@ class PlyNumbers {
   /// Returns the number of unread bytes.
   std::size_t remaining() const { return is_text() ? lines_.rest().size() : bytes_.size(); }
 
+  /// Returns whether more than blanks and line ends of a text follow.
+  bool has_more() const {
+    if (!is_text()) return !bytes_.empty();
+    return lines_.rest().find_first_not_of(" \t\r\n") != std::string_view::npos;
+  }
+
   /// Advances to the next item, which in a text file is the next line.
   void begin_item() {
     if (!is_text()) return;
@@ -145,7 +151,12 @@ class PlyReader {
         skip(element);
     }
     polygons_.triangulate(mesh_);
-    return {.mesh = std::move(mesh_)};
+    Content content{.mesh = std::move(mesh_)};
+    if (numbers_.has_more()) {
+      content.notes.push_back(
+          fmt::format("the {} bytes after its last element are left out", numbers_.remaining()));
+    }
+    return content;
   }
 
  private:

@@ -76,6 +76,16 @@ TEST(Ply, MayBeginWithAByteOrderMark) {
   }
 }
 
+TEST(Ply, BytesAfterTheLastElementAreLeftOutWithANote) {
+  for (const char* format : {"ascii", "binary_little_endian"}) {
+    EXPECT_THAT(read_mesh(ply(format), "a.ply", {.scale = 1.0}).notes, ElementsAre()) << format;
+    const MeshFile longer = read_mesh(ply(format) + "3 0 1 2", "a.ply", {.scale = 1.0});
+    EXPECT_EQ(longer.shape.integrals.volume, 1) << format;
+    EXPECT_THAT(longer.notes, ElementsAre("the 7 bytes after its last element are left out"));
+  }
+  EXPECT_THAT(read_mesh(ply("ascii") + " \n\n", "a.ply", {.scale = 1.0}).notes, ElementsAre());
+}
+
 TEST(Ply, LinesMayEndWithCr) {
   std::string text = ply("ascii");
   std::ranges::replace(text, '\n', '\r');
