@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t longest_part = 1000;
 /// A remedy may be longer, because it may list the allowed values.
 constexpr std::size_t longest_remedy = 2000;
-/// Maximum length of a quotation in letters: enough to recognise what one typed.
+/// Maximum length of a quotation in letters. Users recognise their input by that much of it.
 constexpr std::ptrdiff_t longest_quotation = 80;
-/// Replaces what is left out.
+/// Marks the place of the omitted text.
 constexpr std::string_view mark = "\u2026";
 
 bool continues_character(char byte) {  // in UTF-8

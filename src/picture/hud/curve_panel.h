@@ -22,8 +22,8 @@ class CurvePanel final : public PlotPanel {
 
   const canvas::Font& font_;
   double size_;  ///< Size of all text, px per em.
-  std::string
-      axis_;  ///< Name of the body axis: x, y or z, or I1, I2 or I3 if it lies between them.
+  /// Name of the axis, see scene::axis_name().
+  std::string axis_;
   /// Whether there is room for the caption, for the scale on the left, and for the times of flips.
   bool captioned_ = false, scaled_ = false, timed_ = false;
 };
