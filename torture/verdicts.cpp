@@ -2,7 +2,8 @@
 // axes, orders and precisions with options that describe them wrongly; or a single one of them.
 // Case k depends only on SEED and k. The first cases are single mistakes with twenty starts of each
 // body; random combinations follow. Faults are verdicts that propose a wrong reading, no reading,
-// or more than two.
+// or more than two. Every third case is a simulation with a mistake instead; its faults are wrong
+// readings and wrong mistakes, and it counts the mistakes that are named.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <string>
 
 #include "check/random_recording.h"
+#include "check/wrong_simulator.h"
 #include "program.h"
 #include "torture.h"
 
@@ -35,8 +37,27 @@ check::RandomRecording recording_of(std::uint32_t seed, std::uint32_t number) {
                                bodies[kind % bodies.size()], seed, number);
 }
 
+/// The simulations with a mistake that were tried, and those whose mistake was named.
+std::atomic<int> simulations = 0, named = 0;
+
+/// Reports the simulation if the verdict on it is a fault, and returns whether it is.
+bool try_simulation(std::uint32_t seed, std::uint32_t number) {
+  const check::WrongSimulation simulation = check::wrong_simulation(seed, number);
+  const std::filesystem::path folder = make_scratch_folder(fmt::format("laws-{}", number));
+  const check::VerdictOnLaw verdict = check::verdict_on(simulation, folder);
+  remove_folder(folder);
+  simulations += 1;
+  named += verdict.names_mistake ? 1 : 0;
+  if (verdict.fault.empty()) return false;
+  tell(fmt::format("fault: seed {} case {}: {}: {}\n", seed, number, simulation.description,
+                   verdict.fault));
+  return true;
+}
+
 /// Reports the case if it is a fault, and returns whether it is.
 bool try_case(std::uint32_t seed, std::uint32_t number) {
+  constexpr std::uint32_t every = 3;
+  if (number % every == every - 1) return try_simulation(seed, number);
   const check::RandomRecording recording = recording_of(seed, number);
   const std::filesystem::path folder = make_scratch_folder(fmt::format("verdicts-{}", number));
   const std::string fault = check::fault_of_verdict(recording, folder);
@@ -57,6 +78,8 @@ int run_all(const Request& request) {
                 [&](std::uint32_t number) { faulty += try_case(request.seed, number) ? 1 : 0; });
   tell(fmt::format("verdicts: {} ran, {} of them single mistakes, {} faults\n", ran,
                    std::min<std::size_t>(ran, single_count()), faulty.load()));
+  tell(fmt::format("verdicts: {} of {} mistakes of simulators were named\n", named.load(),
+                   simulations.load()));
   return faulty > 0 ? 1 : 0;
 }
 

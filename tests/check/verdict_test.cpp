@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "check/random_recording.h"
+#include "check/wrong_simulator.h"
 #include "sanitizers.h"
 #include "scratch_folder.h"
 
@@ -29,6 +30,21 @@ TEST(Verdict, IsRightOfRandomConventions) {
     const RandomRecording recording = random_recording(seed_of_recordings, number);
     EXPECT_EQ(fault_of_verdict(recording, folder.path()), "") << number << recording.description;
   }
+}
+
+// torture_verdicts tries hundreds. With few digits or much noise, a mistake may stay unnamed.
+TEST(Verdict, NamesTheMistakesOfSimulators) {
+  if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
+  const ScratchFolder folder;
+  constexpr int tried = 48, named_at_least = 44;
+  int named = 0;
+  for (std::uint32_t number = 0; number < tried; ++number) {
+    const WrongSimulation simulation = wrong_simulation(seed_of_recordings, number);
+    const VerdictOnLaw verdict = verdict_on(simulation, folder.path());
+    EXPECT_EQ(verdict.fault, "") << number << ": " << simulation.description;
+    named += verdict.names_mistake ? 1 : 0;
+  }
+  EXPECT_GE(named, named_at_least);
 }
 
 }  // namespace

@@ -11,8 +11,12 @@
 #include "check/conventions/units.h"
 #include "check/hypotheses/changed_rows.h"
 #include "check/hypotheses/other_conventions.h"
+#include "check/law/mistakes.h"
 #include "check/reading/informative_rows.h"
+#include "check/reading/row_reader.h"
+#include "check/reading/thinned_rows.h"
 #include "check/verdict/fit.h"
+#include "check/verdict/stop.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -62,17 +66,23 @@ struct Tried {
   std::vector<Row> rows;
 };
 
+/// The columns that may be read differently.
+enum class Open { all, attitude };
+
 /// Tries the readings of one file.
 class Search {
  public:
-  Search(RowSample numbers, const Problem& problem, const Convention& convention)
+  Search(RowSample numbers, const Problem& problem, const Convention& convention, Open open)
       : numbers_(std::move(numbers)),
         problem_(problem),
         convention_(convention),
         has_rates_(check::has_rates(convention)),
         has_attitude_(attitude_form(convention) != AttitudeForm::none),
-        axes_(distinct_axes(problem.inertia, convention.axes)),
+        open_(open),
+        axes_(open == Open::all ? distinct_axes(problem.inertia, convention.axes)
+                                : std::vector{convention.axes}),
         scales_(scales(unit_readings(numbers_.header, convention))) {
+    if (open == Open::attitude) scales_.resize(1);  // the first one is as read
     Convention plain = convention;
     plain.axes = BodyAxes();
     plain.offset.reset();
@@ -89,7 +99,7 @@ class Search {
 
   Alternatives run() {
     if (has_rates_) try_rates_in_body();
-    if (has_rates_ && has_attitude_) try_rates_in_space();
+    if (has_rates_ && has_attitude_ && open_ == Open::all) try_rates_in_space();
     if (!has_rates_) try_attitude_alone();
     if (has_rates_ && has_attitude_ && !any_fits_well()) try_offsets();
     return chosen();
@@ -235,7 +245,7 @@ class Search {
     };
     if (found_.empty()) return {};
     const Tried best = *std::ranges::min_element(found_, {}, worst);
-    if (!best.reading.misfit.fits()) return {{}, best.reading, {}};
+    if (!best.reading.misfit.fits()) return {.nearest = best.reading};
     constexpr double far_worse = 20, round_off = 1e-8;
     const double most = std::min(follows, far_worse * worst(best) + round_off);
     std::erase_if(found_, [&](const Tried& tried) { return worst(tried) >= most; });
@@ -244,7 +254,7 @@ class Search {
     // The convention as read fits no worse.
     if (fewest == 0) return {};
     std::erase_if(found_, [&](const Tried& tried) { return changes(tried) > fewest; });
-    return {distinct(), {}, {}};
+    return {.fitting = distinct()};
   }
 
   /// One reading for each motion and each unit of times.
@@ -266,6 +276,7 @@ class Search {
   const Problem& problem_;
   Convention convention_;
   bool has_rates_, has_attitude_;
+  Open open_;
   std::vector<BodyAxes> axes_;
   std::vector<Scale> scales_;
   std::vector<Variant> variants_;
@@ -278,25 +289,84 @@ class Search {
 
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention) {
-  return Search(read_row_sample(file, convention), problem, convention).run();
+  return Search(read_row_sample(file, convention), problem, convention, Open::all).run();
 }
 
 namespace {
 
-/// The inertia of another body whose motion the rows follow far better than that of the given one.
-std::optional<Matrix3d> other_inertia(const std::filesystem::path& file, const Matrix3d& inertia,
-                                      const Judgement& judgement) {
-  // Rates that never change would be those of a sphere.
-  if (!judgement.has_rates || judgement.misfit.constant_rates) return std::nullopt;
-  const std::vector<Row> rows = informative_rows(file, judgement.convention);
-  if (rows.size() < 16 || rows.front().omega.norm() == 0) return std::nullopt;
-  const Matrix3d fitted = fitted_inertia(inertia, rows, judgement.has_attitude);
-  if (!fitted.allFinite()) return std::nullopt;
-  const auto miss = misfit(fitted, rows, true, judgement.has_attitude).worst();
-  constexpr double far_better = 1e-2, follows_well = 1e-3;
-  const bool is_better =
-      miss && *miss < follows_well && *miss < far_better * *judgement.misfit.worst();
-  return is_better ? std::optional(fitted) : std::nullopt;
+/// Rows that are spread over the whole file, or those of its beginning if the body turns by more
+/// than about a radian between the former.
+std::vector<Row> spread_rows(const std::filesystem::path& file, const Problem& problem,
+                             const Convention& convention) {
+  ThinnedRows thinned(most_fitted_rows);
+  std::vector<Row> first;
+  RowReader reader(file, convention);
+  Row row;
+  double speed = 0;
+  while (reader.next(row)) {
+    throw_if_stopped(problem.stop);
+    thinned.add(row);
+    if (first.size() < most_fitted_rows) first.push_back(row);
+    speed = std::max(speed, row.omega.norm());
+  }
+  const double turn = speed * row.t / static_cast<double>(thinned.rows().size());
+  return turn < 1 ? thinned.rows() : first;
+}
+
+RelativeNoise relative_noise(const Judgement& judgement) {
+  return {judgement.noise.rate / judgement.reference.body.omega().norm(), judgement.noise.attitude};
+}
+
+/// The wrong laws that the rows follow as they are read.
+WrongLaws laws_of(const std::filesystem::path& file, const Problem& problem,
+                  const Judgement& judgement) {
+  constexpr std::size_t enough = 8;
+  const bool is_at_rest = judgement.reference.body.omega().norm() == 0;
+  if (!judgement.has_rates || judgement.rows < enough || is_at_rest) return {};
+  return wrong_laws(problem.inertia, spread_rows(file, problem, judgement.convention),
+                    judgement.has_attitude, relative_noise(judgement));
+}
+
+/// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
+/// leave more than a wrong law does, or more than so many changes of the reading must explain. Each
+/// change can explain a part of anything, so each further one must explain more.
+void remove_partial_fits(Alternatives& found, const std::filesystem::path& file,
+                         const Problem& problem, const Judgement& judgement, double miss_of_law) {
+  const double speed = judgement.reference.body.omega().norm();
+  const auto is_partial = [&](const Reading& reading) {
+    if (!has_rates(reading.convention) || speed == 0) return false;
+    const RelativeNoise noise = relative_noise(judgement);
+    const double miss = misses(problem.inertia, spread_rows(file, problem, reading.convention),
+                               judgement.has_attitude, noise)
+                            .worst();
+    constexpr double far_worse = 10, of_methods = 1e-4;
+    if (miss > std::max(far_worse * miss_of_law, of_methods)) return true;
+    const double digits = judgement.digits.rate / speed + judgement.digits.attitude;
+    constexpr double of_digits = 10, of_one_change = 0.2, of_each_more = 0.1;
+    const int changes = count_changes(judgement.convention, reading.convention);
+    const double most = of_one_change * std::pow(of_each_more, changes - 1);
+    return miss > std::max(most, of_digits * (digits + noise.rates + noise.attitude));
+  };
+  const std::vector<Reading> all = found.fitting;
+  std::erase_if(found.fitting, is_partial);
+  if (found.fitting.empty() && !all.empty()) found.nearest = all.front();
+}
+
+/// The part of the changes in rates and attitude that even the best law misses.
+double miss_of(const WrongLaws& laws) {
+  const auto least = [](const std::vector<Explanation>& all, double as_read) {
+    return all.empty() ? as_read : std::ranges::min(all, {}, &Explanation::miss).miss;
+  };
+  return std::max(least(laws.of_rates, laws.rates_miss),
+                  least(laws.of_attitude, laws.attitude_miss));
+}
+
+/// Whether a single mistake that is usual explains both the rates and the attitude.
+bool is_one_usual_mistake(const WrongLaws& laws) {
+  constexpr double explained = 1e-3;
+  const std::vector<Explanation>& of_rates = laws.of_rates;
+  return !of_rates.empty() && of_rates.front().free_numbers == 0 && laws.of_attitude.empty() &&
+         laws.attitude_miss < explained;
 }
 
 }  // namespace
@@ -310,11 +380,21 @@ Alternatives better_readings(const std::filesystem::path& file, const Problem& p
   const bool is_of_another_start =
       problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
   if (*miss < good && !is_of_another_start) return {};
-  Alternatives found = alternatives(file, problem, judgement.convention);
+  const WrongLaws laws = laws_of(file, problem, judgement);
+  const bool is_usual = is_one_usual_mistake(laws);
+  // Rates alone are those of a reversed gyroscopic term in a reading with mirrored axes, too.
+  if (is_usual && judgement.has_attitude) return {.laws = laws};
+  const bool rates_follow = judgement.has_rates && judgement.has_attitude && !is_of_another_start &&
+                            judgement.misfit.rates && laws.rates_miss < good;
+  Alternatives found = Search(read_row_sample(file, judgement.convention), problem,
+                              judgement.convention, rates_follow ? Open::attitude : Open::all)
+                           .run();
   const bool is_better =
       !found.fitting.empty() && *found.fitting.front().misfit.worst() < far_better * *miss;
   if (judgement.misfit.fits() && !is_of_another_start && !is_better) found = {};
-  if (found.fitting.empty()) found.inertia = other_inertia(file, problem.inertia, judgement);
+  remove_partial_fits(found, file, problem, judgement, miss_of(laws));
+  // A reading that explains everything is simpler than a fitted number, or than two mistakes.
+  if (found.fitting.empty() || is_usual) found.laws = laws;
   return found;
 }
 

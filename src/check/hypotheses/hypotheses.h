@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "check/hypotheses/readings.h"
+#include "check/law/mistakes.h"
 #include "check/verdict/judge.h"
 #include "check/verdict/problem.h"
 
@@ -13,12 +14,12 @@ namespace twrench::check {
 /// Other readings of a file that does not follow the motion as it is read.
 struct Alternatives {
   /// The readings with the fewest changes that fit. The data cannot distinguish them.
-  std::vector<Reading> fitting;
+  std::vector<Reading> fitting = {};
   /// The reading with the least misfit, if none fits.
-  std::optional<Reading> nearest;
-  /// If none fits, but the motion is that of a body with the same principal axes and other moments:
-  /// the inertia of that body. Only its ratios are determined.
-  std::optional<Eigen::Matrix3d> inertia;
+  std::optional<Reading> nearest = {};
+  /// Wrong laws that the rows follow as they are read. Empty if the motion of a free body explains
+  /// them as well in one of the readings that fit.
+  WrongLaws laws = {};
 };
 
 /// Tests how well the first rows of a file follow the motion of the body if they are read
@@ -31,9 +32,11 @@ struct Alternatives {
 Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
                           const Convention& convention);
 
-/// Does the same for a judged file that does not follow the motion. If it follows it roughly,
-/// because of errors or because the moments are nearly the same, other readings must fit far
-/// better.
+/// Does the same for a judged file that does not follow the motion, and tries wrong laws. A reading
+/// fits only if all rows follow the motion in it, and no wrong law explains them far better. If the
+/// rates follow the motion as they are read, only other readings of the attitude are tried. If the
+/// file follows the motion roughly, because of errors or because the moments are nearly the same,
+/// other readings must fit far better.
 Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
                              const Judgement& judgement);
 

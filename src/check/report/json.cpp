@@ -147,11 +147,28 @@ Json nearest_json(const CheckedFile& file) {
 }
 
 /// In axes of the body; only its ratios are determined.
-Json inertia_json(const CheckedFile& file) {
-  if (!file.alternatives.inertia) return nullptr;
+Json inertia_json(const WrongLaws& laws) {
+  const auto moments = std::ranges::find(laws.of_rates, Mistake::moments, &Explanation::mistake);
+  if (moments == laws.of_rates.end()) return nullptr;
   Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back(vector_json(file.alternatives.inertia->row(i)));
+  for (int i = 0; i < 3; ++i) rows.push_back(vector_json(moments->law.inertia.row(i)));
   return rows;
+}
+
+Json mistakes_json(const WrongLaws& laws) {
+  Json list = Json::array();
+  const auto add = [&list](const std::vector<Explanation>& explanations) {
+    for (const Explanation& one : explanations) {
+      list.push_back(
+          {{"mistake", enumerator_name(one.mistake)},
+           {"values", std::vector<double>(one.value.begin(), one.value.end())},
+           {"deviations", std::vector<double>(one.deviation.begin(), one.deviation.end())},
+           {"misfit", one.miss}});
+    }
+  };
+  add(laws.of_rates);
+  add(laws.of_attitude);
+  return list;
 }
 
 Json noise_json(const Judgement& judgement, double factor) {
@@ -213,7 +230,8 @@ Json file_json(const CheckedFile& file) {
           {"follows_the_motion", !is_foreign(judgement)},
           {"alternatives", alternatives_json(file)},
           {"nearest", nearest_json(file)},
-          {"other_inertia", inertia_json(file)},
+          {"mistakes", mistakes_json(file.alternatives.laws)},
+          {"other_inertia", inertia_json(file.alternatives.laws)},
           {"bounds", bounds_json(file)},
           {"finding", enumerator_name(found.finding)},
           {"passes", passes(file)},

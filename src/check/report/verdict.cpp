@@ -6,6 +6,7 @@
 
 #include "check/conventions/units.h"
 #include "check/report/alternative_text.h"
+#include "check/report/law_text.h"
 #include "check/report/result.h"
 
 namespace twrench::check {
@@ -24,14 +25,13 @@ std::string foreign_text(const CheckedFile& file) {
         is_foreign(judgement) ? "as read, it does not follow this body's motion, but it does if "
                               : "as read, it follows this body's motion only roughly, but it "
                                 "does far better if ";
-    return start + joined(texts, "; or if ") +
-           (alternatives.fitting.size() > most ? "; or in other ways" : "");
+    std::string text = start + joined(texts, "; or if ");
+    if (alternatives.fitting.size() > most) text += "; or in other ways";
+    const WrongLaws& laws = alternatives.laws;
+    if (laws.of_rates.empty() && laws.of_attitude.empty()) return text;
+    return text + "; or a wrong law explains it as well: " + law_text(judgement, laws);
   }
   const Misfit& misfit = judgement.misfit;
-  if (misfit.constant_rates) {
-    return "does not follow this body's motion: its rates never change, as if the gyroscopic term "
-           "of Euler's equations were missing";
-  }
   const bool rates_fit = Misfit{misfit.rates, {}}.fits();
   if (misfit.rates && misfit.attitude && rates_fit) {
     return "attitude and rates are inconsistent in every frame and unit, though the rates follow "
@@ -50,17 +50,22 @@ std::string foreign_text(const CheckedFile& file) {
   return text;
 }
 
-/// The moments of the body whose motion the file follows instead.
-std::string body_text(const Judgement& judgement, const Eigen::Matrix3d& inertia) {
-  const motion::FreeBody found(inertia, Eigen::Vector3d::Zero());
-  const auto text = [](const motion::FreeBody& body) {
-    const Eigen::Vector3d& moments = body.principal().moments;
-    return fmt::format("1 : {:.6g} : {:.6g}", moments[1] / moments[0], moments[2] / moments[0]);
-  };
-  return fmt::format(
-      "follows the motion of another body: the principal moments fit in the ratio {}, but those "
-      "given are in the ratio {}",
-      text(found), text(judgement.reference.body));
+/// Whether the laws only say that the body is another one.
+bool are_of_another_body(const WrongLaws& laws) {
+  return laws.of_attitude.empty() && std::ranges::all_of(laws.of_rates, [](const Explanation& one) {
+           return one.mistake == Mistake::moments || one.mistake == Mistake::inverse_inertia ||
+                  one.mistake == Mistake::products_sign;
+         });
+}
+
+/// The verdict on rows that follow a wrong law.
+Verdict verdict_of_law(const Judgement& judgement, const WrongLaws& laws) {
+  const std::string text = law_text(judgement, laws);
+  if (are_of_another_body(laws))
+    return {Finding::body, "follows the motion of another body: " + text};
+  if (laws.of_rates.empty())
+    return {Finding::inconsistent, "attitude and rates are inconsistent: " + text};
+  return {Finding::law, "does not follow this body's motion: " + text};
 }
 
 /// "x, y and z": the unit vector of a rate to three places.
@@ -272,9 +277,10 @@ bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 Verdict verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(file);
-  if (file.alternatives.inertia) {
-    return {Finding::body, body_text(judgement, *file.alternatives.inertia)};
-  }
+  const WrongLaws& laws = file.alternatives.laws;
+  const bool follows_wrong_law = !laws.of_rates.empty() || !laws.of_attitude.empty();
+  if (follows_wrong_law && file.alternatives.fitting.empty())
+    return verdict_of_law(judgement, laws);
   if (is_foreign(judgement) || !file.alternatives.fitting.empty()) {
     const bool is_misread = !file.alternatives.fitting.empty();
     const bool rates_fit = judgement.misfit.rates && Misfit{judgement.misfit.rates, {}}.fits();

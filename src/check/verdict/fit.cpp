@@ -30,21 +30,16 @@ struct Weights {
   }
 };
 
-/// Whether the moments are fitted too.
-enum class Body { as_given, fitted };
-
 /// The residuals of rows as a function of the fitted parameters. Parameters: the change of omega in
-/// units of |omega|; if there is an attitude, the rotation vector by which the frame turns; if the
-/// body is fitted, the logarithms by which two of its principal moments grow relative to the first.
+/// units of |omega|; if there is an attitude, the rotation vector by which the frame turns.
 class Residuals {
  public:
   Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
-            Body body = Body::as_given, const std::atomic<bool>* stop = nullptr)
-      : inputs_(3 + (weights.attitude > 0 ? 3 : 0) + (body == Body::fitted ? 2 : 0)),
+            const std::atomic<bool>* stop = nullptr)
+      : inputs_(3 + (weights.attitude > 0 ? 3 : 0)),
         from_(from),
         rows_(rows),
         weights_(weights),
-        body_(body),
         stop_(stop),
         speed_(from.body.omega().norm()) {}
 
@@ -55,7 +50,7 @@ class Residuals {
 
   Reference reference(const VectorXd& p) const {
     const Vector3d omega = from_.body.omega() + speed_ * p.head<3>();
-    Reference reference{{inertia(p), omega}, from_.start, from_.frame};
+    Reference reference{{from_.body.inertia(), omega}, from_.start, from_.frame};
     if (weights_.attitude > 0) reference.frame = so3::exp(p.segment<3>(3)) * from_.frame;
     return reference;
   }
@@ -90,22 +85,10 @@ class Residuals {
   }
 
  private:
-  Matrix3d inertia(const VectorXd& p) const {
-    if (body_ == Body::as_given) return from_.body.inertia();
-    const body::PrincipalAxes& principal = from_.body.principal();
-    // Keeps the moments positive and finite if no body fits.
-    constexpr double most = 10;
-    const auto factor = [&](Eigen::Index i) { return std::exp(std::clamp(p[i], -most, most)); };
-    const Vector3d growth(1, factor(p.size() - 2), factor(p.size() - 1));
-    const Vector3d moments = principal.moments.cwiseProduct(growth);
-    return principal.axes * moments.asDiagonal() * principal.axes.transpose();
-  }
-
   Eigen::Index inputs_;
   Reference from_;
   std::span<const Row> rows_;
   Weights weights_;
-  Body body_;
   const std::atomic<bool>* stop_;
   double speed_;
   mutable ExactRows exact_;
@@ -113,8 +96,8 @@ class Residuals {
 
 /// Returns the reference that fits the rows best; the search starts at `from`.
 Reference improved(const Reference& from, std::span<const Row> rows, const Weights& weights,
-                   const std::atomic<bool>* stop, Body body = Body::as_given) {
-  const Residuals residuals(from, rows, weights, body, stop);
+                   const std::atomic<bool>* stop) {
+  const Residuals residuals(from, rows, weights, stop);
   return residuals.reference(minimized(
       {residuals.inputs(), residuals.values(),
        [&](const VectorXd& p, VectorXd& values) { residuals(p, values); },
@@ -203,16 +186,6 @@ Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omeg
       root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
   weights = reweighted(weights, left, speed);
   return result(improved(reference, rows, weights, stop), rows, weights);
-}
-
-Matrix3d fitted_inertia(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude) {
-  const Vector3d omega = rows.front().omega;
-  const Weights weights{1 / omega.norm(), has_attitude ? 1.0 : 0};
-  Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
-  for (std::size_t count = 8; count < rows.size(); count *= 2) {
-    reference = improved(reference, rows.first(count), weights, nullptr, Body::fitted);
-  }
-  return improved(reference, rows, weights, nullptr, Body::fitted).body.inertia();
 }
 
 Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& second) {

@@ -32,12 +32,6 @@ inline constexpr std::size_t most_fitted_rows = 65536;
 Fit fit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, const Eigen::Vector3d& omega,
         bool has_rates, bool has_attitude, const std::atomic<bool>* stop = nullptr);
 
-/// Returns the inertia with the principal axes of `inertia` that best fits rows with rates. The
-/// first row must not be at rest. Only the ratios are determined; the least moment of `inertia` is
-/// kept. If no body has such a motion, the result is arbitrary.
-Eigen::Matrix3d fitted_inertia(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
-                               bool has_attitude);
-
 /// Returns the angular velocity at the first row (body axes, rad/s) with which the exact motion
 /// takes the X of the first row to that of the second, by less than half a turn.
 Eigen::Vector3d omega_between(const Eigen::Matrix3d& inertia, const Row& first, const Row& second);

@@ -93,18 +93,6 @@ double largest_speed(std::span<const Row> rows) {
   return speed;
 }
 
-/// Whether the rates change by only a small part of what they should.
-bool constant_rates(const Matrix3d& inertia, std::span<const Row> rows) {
-  const motion::ExactMotion exact({inertia, rows[0].omega});
-  double found = 0, expected = 0;
-  for (const Row& row : rows) {
-    found = std::max(found, (row.omega - rows[0].omega).norm());
-    expected = std::max(expected, (exact.at(row.t - rows[0].t).omega - rows[0].omega).norm());
-  }
-  constexpr double small_part = 0.01;  // more than single precision adds
-  return expected > too_small * largest_speed(rows) && found < small_part * expected;
-}
-
 }  // namespace
 
 std::optional<double> Misfit::worst() const {
@@ -132,7 +120,6 @@ Misfit misfit(const Matrix3d& inertia, std::span<const Row> rows, bool has_rates
   Misfit result;
   if (has_rates) {
     result.rates = misfit_of_rates(inertia, rows, rows.size());
-    result.constant_rates = constant_rates(inertia, rows);
   }
   if (has_attitude) result.attitude = misfit_of_attitude(inertia, rows, has_rates, rows.size());
   return result;

@@ -17,10 +17,6 @@ struct Misfit {
   std::optional<double> rates;     ///< absent if there are none, or if nothing changes
   std::optional<double> attitude;  ///< absent likewise; against the rates, if there are any
 
-  /// Whether the rates hardly change although they should, as in a program that omits the
-  /// gyroscopic term of Euler's equations.
-  bool constant_rates = false;
-
   /// The larger of the two; nothing if both are absent.
   std::optional<double> worst() const;
   /// Whether the rows follow the motion; true if nothing can be tested.

@@ -1,0 +1,406 @@
+#include "check/law/mistakes.h"
+
+#include <twrench/body/mass_properties.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+#include "check/verdict/least_squares.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Pairs of rows, spread over all rows, between which the body turns by about the same angle.
+struct Pairs {
+  std::vector<std::pair<State, State>> states;
+  std::vector<double> times;  ///< between the rows of each pair, s
+  double speed = 0;           ///< largest |w|, rad/s
+  double row_step = 0;        ///< mean time between rows, s
+  double law_step = 0;        ///< of advanced(), rad
+};
+
+/// Few pairs and large steps show which laws are worth a precise fit.
+struct Effort {
+  std::size_t pairs;
+  double law_step;  ///< rad
+};
+constexpr Effort rough{32, 0.1}, precise{192, 0.02};
+
+/// The angle within which numbers differ clearly from what a wrong law predicts, rad: more if they
+/// are noisy.
+double angle_of_pairs(double noise) {
+  constexpr double least = 0.5, most = 6, noise_at_least = 5e-4;
+  return std::clamp(least * noise / noise_at_least, least, most);
+}
+
+Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
+  Pairs pairs;
+  pairs.law_step = effort.law_step;
+  for (const Row& row : rows) pairs.speed = std::max(pairs.speed, row.omega.norm());
+  pairs.row_step = (rows.back().t - rows.front().t) / static_cast<double>(rows.size() - 1);
+  const double apart = angle_of_pairs(noise) / (pairs.speed * pairs.row_step);
+  const auto farthest = static_cast<double>(std::max<std::size_t>(1, rows.size() / 4));
+  const auto stride = static_cast<std::size_t>(std::clamp(apart, 1.0, farthest));
+  const std::size_t starts = rows.size() - stride, count = std::min(effort.pairs, starts);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Row &from = rows[k * starts / count], &to = rows[k * starts / count + stride];
+    pairs.states.emplace_back(state_of(from), state_of(to));
+    pairs.times.push_back(to.t - from.t);
+  }
+  return pairs;
+}
+
+/// The rotation vector of a rotation, at most half a turn.
+Vector3d rotation_vector(const Quaterniond& q) {
+  const Eigen::AngleAxisd turn(q);
+  return turn.angle() * turn.axis();
+}
+
+/// What a law misses at the second row of a pair.
+using Residual = Vector3d (*)(const Law& law, const State& from, const State& to, double time,
+                              double law_step);
+
+Vector3d rates_residual(const Law& law, const State& from, const State& to, double time,
+                        double law_step) {
+  return advanced(law, from, time, law_step).omega - to.omega;
+}
+
+Vector3d attitude_residual(const Law& law, const State& from, const State& to, double time,
+                           double law_step) {
+  const auto residual = [&](const Law& one) {
+    return rotation_vector(advanced(one, from, time, law_step).X.conjugate() * to.X);
+  };
+  if (law.kinematics != Kinematics::integrated_angles) return residual(law);
+  Law other = law;
+  other.is_upside_down = true;
+  const Vector3d a = residual(law), b = residual(other);
+  return a.norm() < b.norm() ? a : b;
+}
+
+/// The change in a pair of rows.
+Vector3d rates_change(const State& from, const State& to) { return to.omega - from.omega; }
+Vector3d attitude_change(const State& from, const State& to) {
+  return rotation_vector(from.X.conjugate() * to.X);
+}
+
+/// What is compared: the rates, or the attitude.
+struct Aspect {
+  Residual residual;
+  Vector3d (*change)(const State& from, const State& to);
+  double unit;  ///< of the residuals
+};
+
+/// A mistake, and the law with it as a function of the numbers that are fitted.
+struct Kind {
+  Mistake mistake;
+  VectorXd start;             ///< the numbers where the search begins
+  VectorXd scale;             ///< the size of a step that matters
+  std::vector<double> usual;  ///< values that the first number usually has
+  std::function<Law(const Law& before, const VectorXd& numbers)> law;
+};
+
+/// How well laws explain pairs of rows.
+class Comparer {
+ public:
+  Comparer(const Pairs& pairs, const Aspect& aspect, const Law& right)
+      : pairs_(pairs), aspect_(aspect), right_(right) {
+    for (std::size_t i = 0; i < pairs.states.size(); ++i) {
+      const auto& [from, to] = pairs.states[i];
+      const State expected = advanced(right, from, pairs.times[i], pairs.law_step);
+      const double found = aspect.change(from, to).squaredNorm();
+      changes_ += std::max(found, aspect.change(from, expected).squaredNorm());
+    }
+  }
+
+  /// Root mean square of what the law misses, relative to what changes.
+  double miss(const Law& law) const {
+    const double ratio = residuals(law).squaredNorm() * aspect_.unit * aspect_.unit / changes_;
+    return std::isfinite(ratio) ? std::sqrt(ratio) : std::numeric_limits<double>::infinity();
+  }
+
+  /// What noise of this standard deviation, in the unit of the residuals, leaves of both rows.
+  double miss_of_noise(double deviation) const {
+    const auto numbers = static_cast<double>(3 * pairs_.states.size());
+    return aspect_.unit * deviation * std::sqrt(2 * numbers / changes_);
+  }
+
+  Explanation fitted(const Kind& kind) const;
+
+ private:
+  VectorXd residuals(const Law& law) const {
+    VectorXd values(static_cast<Index>(3 * pairs_.states.size()));
+    for (std::size_t i = 0; i < pairs_.states.size(); ++i) {
+      const auto& [from, to] = pairs_.states[i];
+      values.segment<3>(static_cast<Index>(3 * i)) =
+          aspect_.residual(law, from, to, pairs_.times[i], pairs_.law_step) / aspect_.unit;
+    }
+    return values;
+  }
+
+  const Pairs& pairs_;
+  Aspect aspect_;
+  const Law& right_;
+  double changes_ = 0;
+};
+
+Explanation Comparer::fitted(const Kind& kind) const {
+  const Index count = kind.start.size();
+  const auto law_at = [&](const VectorXd& p) {
+    return kind.law(right_, kind.start + kind.scale.cwiseProduct(p));
+  };
+  const auto differentiate = [&](const VectorXd& p, MatrixXd& jacobian) {
+    constexpr double step = 1e-5;
+    for (Index k = 0; k < count; ++k) {
+      const VectorXd change = step * VectorXd::Unit(count, k);
+      jacobian.col(k) =
+          (residuals(law_at(p + change)) - residuals(law_at(p - change))) / (2 * step);
+    }
+  };
+  const auto rows = static_cast<Index>(3 * pairs_.states.size());
+  VectorXd p = VectorXd::Zero(count), deviation = VectorXd::Zero(count);
+  if (count > 0) {
+    p = minimized({count, rows,
+                   [&](const VectorXd& at, VectorXd& values) { values = residuals(law_at(at)); },
+                   differentiate});
+    MatrixXd jacobian(rows, count);
+    differentiate(p, jacobian);
+    const double variance = residuals(law_at(p)).squaredNorm() / static_cast<double>(rows - count);
+    deviation = (variance * inverse_of_squares(jacobian).diagonal()).cwiseSqrt();
+  }
+  Explanation found{kind.mistake,
+                    law_at(p),
+                    kind.start + kind.scale.cwiseProduct(p),
+                    kind.scale.cwiseProduct(deviation),
+                    static_cast<int>(count),
+                    0};
+  // A number close to a usual one is taken for it.
+  for (const double usual : kind.usual) {
+    constexpr double deviations = 4, close = 2e-3;
+    const double near = std::max(deviations * found.deviation[0], close * kind.scale[0]);
+    if (!(std::abs(found.value[0] - usual) < near)) continue;
+    found.value[0] = usual;
+    found.free_numbers -= 1;
+    found.law = kind.law(right_, found.value);
+  }
+  found.miss = miss(found.law);
+  return found;
+}
+
+VectorXd numbers(std::initializer_list<double> values) {
+  VectorXd vector(static_cast<Index>(values.size()));
+  std::ranges::copy(values, vector.begin());
+  return vector;
+}
+
+/// A kind with a single number.
+template <typename Set>
+Kind kind_of(Mistake mistake, double start, double scale, std::vector<double> usual, Set set) {
+  return {mistake, numbers({start}), numbers({scale}), std::move(usual),
+          [set](const Law& before, const VectorXd& p) {
+            Law law = before;
+            set(law, p[0]);
+            return law;
+          }};
+}
+
+/// A kind without a number to fit.
+template <typename Set>
+Kind plain(Mistake mistake, Set set) {
+  return {mistake, VectorXd(), VectorXd(), {}, [set](const Law& before, const VectorXd&) {
+            Law law = before;
+            set(law);
+            return law;
+          }};
+}
+
+Kind of_inertia(Mistake mistake, const Matrix3d& inertia) {
+  return plain(mistake, [inertia](Law& law) { law.inertia = inertia; });
+}
+
+Kind torque(Mistake mistake, Vector3d Law::*torque, double scale) {
+  return {mistake,
+          Vector3d::Zero(),
+          Vector3d::Constant(scale),
+          {},
+          [torque](const Law& before, const VectorXd& p) {
+            Law law = before;
+            law.*torque = p;
+            return law;
+          }};
+}
+
+/// Another body with the same principal axes: the logarithms by which two moments grow.
+Kind other_moments(const Matrix3d& inertia) {
+  const body::PrincipalAxes principal = body::principal_axes(inertia);
+  return {Mistake::moments,
+          numbers({0, 0}),
+          numbers({1, 1}),
+          {},
+          [principal](const Law& before, const VectorXd& p) {
+            constexpr double most = 10;  // keeps the moments finite
+            const Vector3d growth(1, std::exp(std::clamp(p[0], -most, most)),
+                                  std::exp(std::clamp(p[1], -most, most)));
+            Law law = before;
+            law.inertia = principal.axes * principal.moments.cwiseProduct(growth).asDiagonal() *
+                          principal.axes.transpose();
+            return law;
+          }};
+}
+
+Matrix3d with_other_products(const Matrix3d& inertia) {
+  return 2 * Matrix3d(inertia.diagonal().asDiagonal()) - inertia;
+}
+
+/// The speed that a tenth of the rows exceeds: a limit, if there is one that matters.
+double frequent_speed(const Pairs& pairs) {
+  std::vector<double> speeds;
+  for (const auto& [from, to] : pairs.states) speeds.push_back(from.omega.norm());
+  const auto nth = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
+  std::ranges::nth_element(speeds, nth);
+  return *nth;
+}
+
+std::vector<Kind> kinds_of_rates(const Matrix3d& inertia, const Pairs& pairs, bool has_attitude) {
+  const double speed = pairs.speed;
+  const double moment = inertia.diagonal().maxCoeff();
+  const double torque_scale = moment * speed * speed;
+  const auto set_factor = [](Law& law, double a) { law.gyroscopic = a; };
+  std::vector<Kind> kinds{
+      kind_of(Mistake::gyroscopic_factor, 1, 1, {-1, 0, 0.5, 2}, set_factor),
+      kind_of(Mistake::undivided, 1 / moment, 1 / moment, {1},
+              [](Law& law, double a) {
+                law.division = Division::omitted;
+                law.gyroscopic = a;
+              }),
+      kind_of(Mistake::multiplied, 1 / (moment * moment), 1 / (moment * moment), {1},
+              [](Law& law, double a) {
+                law.division = Division::multiplied;
+                law.gyroscopic = a;
+              }),
+      torque(Mistake::body_torque, &Law::body_torque, torque_scale),
+      kind_of(Mistake::damping, 0, speed, {}, [](Law& law, double c) { law.damping = c; }),
+      kind_of(Mistake::quadratic_damping, 0, 1, {},
+              [](Law& law, double d) { law.quadratic_damping = d; }),
+      other_moments(inertia)};
+  const double limit = frequent_speed(pairs);
+  kinds.push_back(plain(Mistake::speed_limit, [limit](Law& law) { law.speed_limit = limit; }));
+  if (has_attitude)
+    kinds.push_back(torque(Mistake::space_torque, &Law::space_torque, torque_scale));
+  kinds.push_back(of_inertia(Mistake::inverse_inertia, moment * moment * inertia.inverse()));
+  const Matrix3d other = with_other_products(inertia);
+  if (!other.isApprox(inertia)) kinds.push_back(of_inertia(Mistake::products_sign, other));
+  return kinds;
+}
+
+std::vector<Kind> kinds_of_attitude(const Pairs& pairs) {
+  const auto with_kinematics = [](Kinematics kinematics) {
+    return [kinematics](Law& law, double k) {
+      law.kinematics = kinematics;
+      law.attitude_factor = k;
+    };
+  };
+  const double step = pairs.row_step;
+  std::vector<Kind> kinds{
+      kind_of(Mistake::attitude_factor, 1, 1, {2, 0.5, -1, 0},
+              with_kinematics(Kinematics::body_rates)),
+      kind_of(Mistake::swapped_factors, 1, 1, {1, 2, -1}, with_kinematics(Kinematics::space_rates)),
+      kind_of(Mistake::delayed_rates, 0, step, {step / 2, step, -step / 2, -step},
+              [](Law& law, double delay) { law.delay = delay; })};
+  static constexpr std::array<std::array<int, 3>, 6> sequences{
+      {{2, 1, 0}, {0, 1, 2}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}}};
+  for (const auto& [first, second, third] : sequences) {
+    const Eigen::Vector3i axes(first, second, third);
+    kinds.push_back(plain(Mistake::integrated_angles, [axes](Law& law) {
+      law.kinematics = Kinematics::integrated_angles;
+      law.sequence = axes;
+    }));
+  }
+  return kinds;
+}
+
+/// The explanations that fit about equally well, with the fewest free numbers. None if even the
+/// best explains too little of what the law as read misses: errors of methods look like small
+/// changes of a law, but what a law leaves of them is not far smaller, nor noise.
+std::vector<Explanation> best(std::vector<Explanation> all, double as_read, double noise) {
+  constexpr double far_better = 0.01, clearly_better = 0.5, about = 2;
+  const double least = std::ranges::min(all, {}, &Explanation::miss).miss;
+  const bool is_noise = least < about * noise;
+  if (!(least < (is_noise ? clearly_better : far_better) * as_read)) return {};
+  constexpr double as_well = 3, as_well_in_noise = 1.15, of_methods = 1e-6;
+  const double most = std::max((is_noise ? as_well_in_noise : as_well) * least, of_methods);
+  std::erase_if(all, [most](const Explanation& one) { return !(one.miss <= most); });
+  const int fewest = std::ranges::min(all, {}, &Explanation::free_numbers).free_numbers;
+  std::erase_if(all, [fewest](const Explanation& one) { return one.free_numbers > fewest; });
+  return all;
+}
+
+/// Rows, and how precisely laws are fitted to them.
+struct Sample {
+  Pairs few, many;
+};
+
+std::vector<Explanation> explanations(const Sample& sample, const Aspect& aspect, const Law& right,
+                                      const std::vector<Kind>& kinds, double noise) {
+  const Comparer roughly(sample.few, aspect, right), precisely(sample.many, aspect, right);
+  std::vector<double> misses;
+  for (const Kind& kind : kinds) misses.push_back(roughly.fitted(kind).miss);
+  constexpr double hopeless = 10, of_large_steps = 1e-3;
+  const double most = std::max(hopeless * std::ranges::min(misses), of_large_steps);
+  std::vector<Explanation> all;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (misses[i] <= most) all.push_back(precisely.fitted(kinds[i]));
+  }
+  return best(std::move(all), precisely.miss(right), precisely.miss_of_noise(noise));
+}
+
+/// A smaller miss is that of an integrator, and not worth an explanation.
+constexpr double good = 1e-4;
+
+}  // namespace
+
+WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+                     const RelativeNoise& noise) {
+  const Sample sample{pairs_of(rows, noise.rates, rough), pairs_of(rows, noise.rates, precise)};
+  const Law right{.inertia = inertia};
+  const Aspect rates{rates_residual, rates_change, sample.many.speed};
+  WrongLaws found;
+  found.rates_miss = Comparer(sample.many, rates, right).miss(right);
+  if (found.rates_miss > good) {
+    found.of_rates = explanations(sample, rates, right,
+                                  kinds_of_rates(inertia, sample.many, has_attitude), noise.rates);
+  }
+  if (!has_attitude) return found;
+  const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
+  const Aspect attitude{attitude_residual, attitude_change, 1};
+  found.attitude_miss = Comparer(sample.many, attitude, law).miss(law);
+  if (found.attitude_miss > good) {
+    found.of_attitude = explanations(sample, attitude, law, kinds_of_attitude(sample.many),
+                                     noise.attitude + noise.rates);
+  }
+  return found;
+}
+
+Misses misses(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+              const RelativeNoise& noise) {
+  const Pairs pairs = pairs_of(rows, noise.rates, precise);
+  const Law right{.inertia = inertia};
+  const auto miss = [&](const Aspect& aspect) {
+    return Comparer(pairs, aspect, right).miss(right);
+  };
+  return {miss({rates_residual, rates_change, pairs.speed}),
+          has_attitude ? miss({attitude_residual, attitude_change, 1}) : 0};
+}
+
+}  // namespace twrench::check

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "check/law/law.h"
+#include "check/reading/row.h"
+
+namespace twrench::check {
+
+/// The mistakes in the law of a simulator that can be recognised.
+enum class Mistake {
+  gyroscopic_factor,  ///< the gyroscopic term is reversed, halved, missing ...
+  undivided,          ///< it is not divided by the moments
+  multiplied,         ///< it is multiplied by the moments
+  body_torque,        ///< a constant torque in the body's axes acts
+  space_torque,       ///< a constant torque in the axes of space acts
+  damping,            ///< the rates decay in proportion to themselves
+  quadratic_damping,  ///< they decay in proportion to |w| w
+  speed_limit,        ///< |w| is limited
+  products_sign,      ///< the products of inertia have the other sign
+  inverse_inertia,    ///< the inertia is inverted
+  moments,            ///< the body has other moments about the same principal axes
+  attitude_factor,    ///< the attitude turns at a multiple of the rates
+  swapped_factors,    ///< the attitude takes rates in the body's axes for rates in those of space
+  delayed_rates,      ///< the attitude follows earlier rates
+  integrated_angles,  ///< Euler angles are integrals of the rates
+};
+
+/// A wrong law that rows follow.
+struct Explanation {
+  Mistake mistake;
+  Law law;
+  Eigen::VectorXd value;      ///< the fitted numbers of the mistake; see Law for their units
+  Eigen::VectorXd deviation;  ///< their standard deviations
+  /// The numbers that were fitted and are none that mistakes usually have, such as -1 or 1/2.
+  int free_numbers;
+  double miss;  ///< what the law leaves of the changes of the rates, or of the attitude
+};
+
+/// What wrong laws explain of rows that do not follow the motion of a free body.
+struct WrongLaws {
+  double rates_miss = 0;     ///< root mean square, as read, relative to what changes
+  double attitude_miss = 0;  ///< likewise, under the law that the rates follow
+  /// The laws that the rates follow equally well, with equally many free numbers; empty if
+  /// they follow that of a free body, or none.
+  std::vector<Explanation> of_rates;
+  std::vector<Explanation> of_attitude;  ///< likewise
+};
+
+/// Standard deviations of errors that are independent from row to row.
+struct RelativeNoise {
+  double rates;     ///< relative to |w|
+  double attitude;  ///< rad
+};
+
+/// Fits each wrong law to pairs of rows that are spread over all rows: the state of the first row
+/// of a pair must lead to that of the second. The rows must have rates that are not all zero.
+WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+                     const RelativeNoise& noise);
+
+/// How far rows are from the motion of a free body, as in WrongLaws.
+struct Misses {
+  double rates;
+  double attitude;  ///< 0 if there is none
+
+  double worst() const { return std::max(rates, attitude); }
+};
+Misses misses(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+              const RelativeNoise& noise);
+
+}  // namespace twrench::check
