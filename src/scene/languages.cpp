@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "base/enumeration.h"
 #include "base/letters.h"
@@ -22,6 +23,17 @@ constexpr std::array stories{Story{"explain", "explain-nb"}, Story{"explain-shor
 
 /// The part of a tag before the first hyphen, the language.
 std::string_view first_subtag(std::string_view tag) { return tag.substr(0, tag.find('-')); }
+
+/// The languages of a story.
+std::vector<std::string_view> languages_of(const Story& story) {
+  std::vector<std::string_view> names;
+  for (const Language language : enumerators<Language>) {
+    if (!story[static_cast<std::size_t>(language)].empty()) {
+      names.push_back(enumerator_name(language));
+    }
+  }
+  return names;
+}
 
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
@@ -83,7 +95,9 @@ std::string story_in(const std::string& tag, const std::string& name, const std:
     const std::string_view told = language ? story[static_cast<std::size_t>(*language)] : "";
     if (!told.empty()) return std::string(told);
     throw InvalidArgument(what, fmt::format("{} is not told in '{}'", name, wanted),
-                          "leave it out, or take the story 'explain'");
+                          language ? "leave it out, or take the story 'explain'"
+                                   : fmt::format("use {}, or write the captions in a scene file",
+                                                 fmt::join(languages_of(story), " or ")));
   }
   return name;
 }

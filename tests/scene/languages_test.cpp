@@ -30,6 +30,20 @@ TEST(Languages, OfABuiltInStory) {
   EXPECT_EQ(name_in("no-NO", "explain"), "explain-nb");
 }
 
+std::string remedy_for(const std::string& tag, const std::string& name) {
+  try {
+    return story_in(tag, name, "--language");
+  } catch (const Error& error) {
+    return error.remedy();
+  }
+}
+
+TEST(Languages, OfAStoryThatIsNotToldInThemHaveARemedyThatWorks) {
+  EXPECT_EQ(remedy_for("sv", "explain"), "use en or nb, or write the captions in a scene file");
+  EXPECT_EQ(remedy_for("sv", "explorer-1"), "use en, or write the captions in a scene file");
+  EXPECT_EQ(remedy_for("nb", "explorer-1"), "leave it out, or take the story 'explain'");
+}
+
 TEST(Languages, AreTagsOfWhichSomeHaveWords) {
   struct Case {
     const char *given, *tag;
