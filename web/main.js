@@ -3,9 +3,9 @@ import { byId, showNote } from './app/dom.js';
 import { App } from './app/app.js';
 import { Article } from './article/article.js';
 import { languageOf } from './app/state.js';
-import { readCore, readPageData } from './app/page_data.js';
+import { readArticle, readCore, readPageData } from './app/page_data.js';
 import { Core } from './core/core.js';
-import { Graphics } from './picture/graphics.js';
+import { Graphics, noGraphics } from './picture/graphics.js';
 import { setLanguage, setTimeUnits, word } from './words/words.js';
 
 /** The interface for tests and for users' scripts. */
@@ -35,20 +35,21 @@ let article;
 /** Waits for the page and returns it; throws if it cannot run. */
 async function working() {
   await twrench.ready;
-  if (!app) throw new Error('WebGL 2 is not available in this browser');
+  if (!app) throw new Error('the page cannot run in this browser');
   return app;
 }
 
 async function start() {
   setLanguage(languageOf(navigator.languages));
   const graphics = Graphics.create();
-  if (!graphics) return;
   byId('lacks').hidden = true;
+  byId('stills-note').hidden = graphics !== noGraphics;
   const data = await readPageData();
   setTimeUnits(data.time_units);
   twrench.core = await Core.load(/** @type {BufferSource} */ (await readCore()));
+  const sections = data.article ? await readArticle() : null;
   app = new App(data, twrench.core, graphics);
-  if (data.article) article = new Article(app);
+  if (sections) article = new Article(app, sections);
   else app.player.play(!app.isStill);
 }
 

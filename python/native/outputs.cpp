@@ -15,7 +15,7 @@
 #include <tuple>
 #include <vector>
 
-#include "film/poster.h"
+#include "film/page_pictures.h"
 #include "gl/error.h"
 #include "interchange/export.h"
 #include "interruptible.h"
@@ -97,17 +97,17 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
   const std::string empty = page::page_template(template_file);
   page::require_shown(scene);
   const page::PageScene shown{scene, original, source, source_options, has_article};
-  std::string poster;
+  film::PagePictures pictures;
   Texts notes;
   try {
-    poster = film::poster_html(scene, {});
+    pictures = film::page_pictures(scene, has_article, {});
   } catch (const gl::GlError& error) {
-    notes.push_back(fmt::format("the page has no fallback picture: {}", error.what()));
+    notes.push_back(fmt::format("the page has no fallback pictures: {}", error.what()));
   }
   if (stop) throw Stopped{};
-  page::PageDocument page = page::page_html(empty, shown, poster);
+  page::PageDocument page = page::page_html(empty, shown, pictures.poster + pictures.stills);
   page.notes.insert(page.notes.end(), notes.begin(), notes.end());
-  return {std::move(page), std::move(poster), page::content_policy(empty),
+  return {std::move(page), std::move(pictures.poster), page::content_policy(empty),
           scene::motion_summary(scene)};
 }
 

@@ -112,6 +112,7 @@ build_template() {
   esbuild "$out/source/web/main.js" --bundle --format=esm --target=es2022 --minify --charset=utf8 \
     --loader:.vert=text --loader:.frag=text --loader:.glsl=text --log-level=warning \
     --legal-comments=none --outfile="$out/script.js"
+  zopfli -c web/article/article.json | base64 -w 0 >"$out/article-data.base64"
   esbuild web/style.css --bundle --minify --log-level=warning --outfile="$out/style.css"
   # The policy allows an inline script by the hash of the text between its tags.
   local hash
@@ -125,10 +126,11 @@ build_template() {
       next
     }
     /<!-- twrench:style -->/ { print "<style>"; put("style.css"); print "</style>"; next }
-    /<!-- twrench:core -->/ {
-      print "<script type=\"application/octet-stream;base64\" id=\"core\">"; put("core.base64")
-      print "</script>"; next
+    function put_data(id) {
+      print "<script type=\"application/octet-stream;base64\" id=\"" id "\">"; put(id ".base64"); print "</script>"
     }
+    /<!-- twrench:core -->/ { put_data("core"); next }
+    /<!-- twrench:article -->/ { put_data("article-data"); next }
     /<!-- twrench:script -->/ { print "<script type=\"module\">"; put("script.js"); print "</script>"; next }
     { print }' web/index.html >"$out/page.html.new"
   mv "$out/page.html.new" "$out/page.html"

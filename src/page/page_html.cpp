@@ -121,14 +121,14 @@ void require_shown(const scene::Scene& scene) {
 }
 
 PageDocument page_html(const std::string& page_template, const PageScene& scene,
-                       const std::string& poster) {
+                       const std::string& pictures) {
   require_shown(scene.shown);
   const Surface surface = surface_of(scene.shown.body);
   const std::string title = text::escape_xml(scene.shown.shown_title());
   TemplateFilling page(page_template);
   page.put("{{title}}", title);
   page.put("{{title}}", title);
-  page.put("<!-- twrench:poster -->", poster);
+  page.put("<!-- twrench:poster -->", pictures);
   page.put("<!-- twrench:scene -->", scene_html(scene, surface));
   PageDocument document{std::move(page).filled(), {}};
   if (const auto& simplified = surface.simplification) {

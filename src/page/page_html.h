@@ -44,13 +44,14 @@ struct PageDocument {
 scene::Scene shown_scene(scene::Scene scene);
 
 /// Throws InvalidArgument if a page would compute a different motion. page_html() does the same,
-/// but needs the poster, which takes long to draw.
+/// but needs the pictures, which take long to draw.
 void require_shown(const scene::Scene& scene);
 
-/// Returns the page of a scene. `poster` is an <img> element, or empty. Throws FileError if the
+/// Returns the page of a scene. `pictures` are <img> elements: the poster and the stills, or
+/// nothing. Throws FileError if the
 /// template lacks a mark, and InvalidArgument for a scene that a page cannot show.
 PageDocument page_html(const std::string& page_template, const PageScene& scene,
-                       const std::string& poster);
+                       const std::string& pictures);
 
 /// Returns the <meta> element of a page's content security policy; empty if the page has none.
 std::string content_policy(const std::string& page_template);

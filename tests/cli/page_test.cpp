@@ -178,7 +178,24 @@ TEST(Page, HasAPictureForWhereItCannotDraw) {
   ASSERT_EQ(run_twrench(folder, "page --template t.html --size 1080x1920 -o a.html").code, 0);
   EXPECT_THAT(
       text_of(folder / "a.html"),
-      HasSubstr("<img alt=\"\" width=\"540\" height=\"960\" src=\"data:image/jpeg;base64,"));
+      HasSubstr("<img alt=\"\" width=\"450\" height=\"800\" src=\"data:image/jpeg;base64,"));
+}
+
+TEST(Page, HasAStillOfEachFigure) {
+  const ScratchFolder folder;
+  write_template(folder);
+  const auto panes_of = [&](const std::string& options) {
+    const Outcome run = run_twrench(folder, "page --template t.html -o a.html" + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string page = text_of(folder / "a.html");
+    const std::string begin = "<img id=\"stills\" alt=\"\" hidden data-panes=\"";
+    const std::size_t from = page.find(begin) + begin.size();
+    return page.substr(from, page.find("\" src=\"data:image/jpeg;base64,", from) - from);
+  };
+  EXPECT_EQ(panes_of(""),
+            "part-flip:1 part-axes:3 part-try:1 part-constant:1 part-frame:1 part-stable:3 "
+            "part-sphere:2 part-waiting:1 part-inside:2 part-methods:2 sphere:1 poinsot:1");
+  EXPECT_EQ(panes_of(" --lab"), "sphere:1 poinsot:1");
 }
 
 TEST(Page, KeepsHostileTextText) {

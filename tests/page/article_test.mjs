@@ -9,6 +9,7 @@ import { open, run, writePage } from './browser.mjs';
 const flip = writePage('article.html');
 const axe = readFileSync(join(dirname(createRequire(import.meta.url).resolve('axe-core')), 'axe.min.js'), 'utf8');
 const still = { features: [{ name: 'prefers-reduced-motion', value: 'reduce' }] };
+const dark = { features: [...still.features, { name: 'prefers-color-scheme', value: 'dark' }] };
 const wide = { width: 1280, height: 800 };
 const mostBytes = 480_000;
 
@@ -77,7 +78,83 @@ const largestLean = (page, omega, axis, wheel = [0, 0, 0]) =>
     wheel,
   );
 
+/** Runs before the scripts of a page: the browser has no WebGL 2. */
+const withoutWebGL = () => {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind === 'webgl2' ? null : getContext.call(this, kind, ...rest);
+  };
+};
+
+/** The pictures of the views, each as the colours of small squares, by the names of their stills. */
+const thumbnails = async (page, selector) => {
+  const found = [];
+  for (const view of await page.$$(selector)) {
+    await view.evaluate((element) => element.scrollIntoView({ block: 'center' }));
+    await settle(page);
+    await settle(page);
+    found.push(
+      await view.evaluate((element) => {
+        const small = Object.assign(document.createElement('canvas'), { width: 48, height: 32 }),
+          context = small.getContext('2d');
+        context.imageSmoothingQuality = 'high';
+        context.drawImage(element.querySelector('canvas'), 0, 0, 48, 32);
+        return [element.dataset.still + (element.dataset.pane ?? ''), [...context.getImageData(0, 0, 48, 32).data]];
+      }),
+    );
+  }
+  return Object.fromEntries(found);
+};
+
+/** The mean difference of the samples of two thumbnails, of 255. */
+const meanDifference = (a, b) => a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0) / a.length;
+
 const tests = {
+  async 'before it draws, each view shows the same as when it draws'() {
+    const views = '#article .view, #stage .view, #views .view';
+    for (const size of [wide, { width: 1920, height: 1080 }]) {
+      const page = async (more) => {
+        const { page, quiet } = await open(flip, { ...dark, ...size, ...more });
+        const found = await thumbnails(page, views);
+        quiet();
+        return found;
+      };
+      const stills = await page({ before: withoutWebGL }),
+        drawn = await page({});
+      const names = Object.keys(drawn);
+      assert.deepEqual(Object.keys(stills), names);
+      assert.equal(names.length, ids.length + 4);
+      for (const name of names) {
+        const difference = meanDifference(stills[name], drawn[name]);
+        // The lines of an inset are thicker in a small picture.
+        assert.ok(difference < (/sphere1|^sphere|poinsot/.test(name) ? 9 : 3.5), `${name} at ${size.width}: ${difference}`);
+      }
+    }
+  },
+
+  async 'without WebGL the stills stay, with a note in the language of the page'() {
+    const { page, quiet } = await open(flip, { ...wide, before: withoutWebGL });
+    const note = () => page.$eval('#stills-note', (element) => element.innerText);
+    assert.match(await note(), /WebGL 2.*do not move/);
+    await page.select('#lang', 'nb');
+    await settle(page);
+    assert.match(await note(), /WebGL 2.*beveger seg ikke/);
+    assert.match(await page.$eval('#part-flip', (part) => part.innerText), /23,6 s/);
+    assert.ok((await figures(page)).every(({ plays }) => !plays), 'no figure plays by itself');
+    assert.ok(await page.$eval('#save-png', (button) => button.hidden));
+    const answer = await page.evaluate(() => globalThis.twrench.picture({ width: 64, height: 36 }).catch((error) => error.message));
+    assert.match(answer, /WebGL 2/);
+    assert.equal((await page.evaluate(() => globalThis.twrench.sample(0))).t, 0);
+    const shown = await thumbnails(page, '#article .view');
+    // The arrow of L is beside another axis of each body.
+    const thirds = [0, 16, 32].map((left) => shown['part-axes'].filter((_, i) => Math.floor((i / 4) % 48 / 16) === left / 16));
+    assert.ok(meanDifference(thirds[0], thirds[1]) > 1 && meanDifference(thirds[1], thirds[2]) > 1, 'three bodies');
+    quiet();
+    const other = await open(flip, { ...still, ...wide });
+    assert.equal(await other.page.$eval('#stills-note', (element) => element.hidden), true);
+    other.quiet();
+  },
+
   async 'each figure reacts to what is dragged, with the right numbers'() {
     const { page, quiet } = await open(flip, { ...still, ...wide });
     const flips = (omega) => core(page, (c, inertia, start) => c.motion(inertia, start).facts.flips, omega);

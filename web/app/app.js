@@ -15,6 +15,7 @@ import { byId, isOnScreen, showNote } from './dom.js';
 import { Address } from './address.js';
 import { readers, readLink } from './link.js';
 import { MotionModel, samplesShown } from './motion_model.js';
+import { noGraphics } from '../picture/graphics.js';
 import { Pictures } from './pictures.js';
 import { pageOf, Player } from './player.js';
 import { Runs } from './runs.js';
@@ -91,13 +92,14 @@ export class App {
       for (const listener of this.themeListeners) listener();
     });
     byId('instead').hidden = true;
+    byId('save-png').hidden = graphics === noGraphics;
     for (const id of ['live', 'tools', 'footer']) byId(id).hidden = false;
     this.#changed(this.store.state, { ...this.store.state, lang: /** @type {any} */ ('') });
   }
 
-  /** Whether the reader prefers pictures that do not play by themselves. */
+  /** Whether pictures do not play by themselves: the reader prefers it, or the browser cannot draw them. */
   get isStill() {
-    return prefersStill.matches;
+    return prefersStill.matches || this.graphics === noGraphics;
   }
 
   /** @param {State} state */
@@ -111,7 +113,8 @@ export class App {
   get themeName() {
     const { theme } = this.store.state;
     if (theme !== 'auto') return theme;
-    return prefersLight.matches ? lightTheme(this.data) : this.data.scene.look.theme;
+    const hasStills = this.graphics === noGraphics; // in the scene's theme
+    return prefersLight.matches && !hasStills ? lightTheme(this.data) : this.data.scene.look.theme;
   }
 
   /**
@@ -217,6 +220,7 @@ export class App {
    */
   picture({ width, height, t, theme, show }) {
     const fits = [width, height].every((size) => Number.isInteger(size) && size >= 1 && size <= mostPixels);
+    if (this.graphics === noGraphics) throw new Error('WebGL 2 is not available in this browser');
     if (!fits) throw new RangeError(`picture: width and height must be whole numbers from 1 to ${mostPixels}`);
     if (theme !== undefined && !this.data.themes[theme]) throw new RangeError(`picture: unknown theme '${theme}'`);
     const { store } = this,

@@ -3,12 +3,18 @@ import { surfaceOf } from '../picture/surface.js';
 import { inflated } from '../picture/unpacking.js';
 import { byId } from './dom.js';
 
+/** @import { Section } from '../article/types' */
 /** @import { PageData } from './types' */
 
 /** @returns {Promise<PageData>} */
 export async function readPageData() {
   const data = JSON.parse(byId('scene').textContent ?? '');
   return { ...data, surface: await surfaceOf(data.surface) };
+}
+
+/** The sections of the article (article/article.json). @returns {Promise<Section[]>} */
+export async function readArticle() {
+  return JSON.parse(new TextDecoder().decode(await inflated((byId('article-data').textContent ?? '').trim(), 'gzip')));
 }
 
 /** The bytes of the core. @returns {Promise<Uint8Array>} */

@@ -8,7 +8,6 @@ import { setLanguage } from '../words/words.js';
 import { Body, isReplaced } from './body.js';
 import { Figure } from './figure.js';
 import { paragraph } from './markup.js';
-import sections from './article.json';
 
 /** @import { App } from '../app/app.js' */
 /** @import { Section } from './types' */
@@ -65,14 +64,14 @@ const linksToLab = ({ known }) =>
   Object.keys(readLink(location.hash, known).values).some((key) => !['theme', 'lang'].includes(key));
 
 export class Article {
-  /** @param {App} app */
-  constructor(app) {
+  /** @param {App} app @param {Section[]} sections */
+  constructor(app, sections) {
     this.app = app;
     const asBox = isReplaced(app.core, app.data),
       own = new Body(app.core, app.data, false);
     this.body = asBox ? new Body(app.core, app.data, true) : own;
     this.root = byId('article');
-    this.parts = /** @type {Section[]} */ (/** @type {any} */ (sections))
+    this.parts = sections
       .filter(({ ofReplaced }) => asBox || !ofReplaced)
       .map((section) => new Part(section, app, section.ofReplaced ? own : this.body));
     this.root.append(...this.parts.map((part) => part.element));

@@ -26,7 +26,7 @@ const axisNames = ['least', 'middle', 'greatest'];
 export class Figure {
   /**
    * @param {FigureDescription} description @param {App} app @param {Body} body
-   * @param {HTMLElement} section Contains the numbers of the texts.
+   * @param {HTMLElement} section Contains the numbers of the texts; its id names the still.
    */
   constructor(description, app, body, section) {
     this.description = description;
@@ -83,6 +83,10 @@ export class Figure {
     /** @type {Record<string, HTMLElement>} */
     const boxes = { body: viewBox('bodyKeys') };
     if (this.description.sphere) boxes.sphere = viewBox('sphereKeys');
+    Object.values(boxes).forEach(({ dataset }, pane, { length }) => {
+      dataset.still = this.section.id;
+      if (length > 1) dataset.pane = String(pane);
+    });
     boxes.body.append(this.names);
     views.append(...Object.values(boxes).reverse());
     this.element.append(views);

@@ -23,7 +23,7 @@ const objectsOf = (gl) => ({
 });
 
 export class Graphics {
-  /** @returns {Graphics | null} null if the browser lacks WebGL 2 */
+  /** @returns {Graphics} with a context that is always lost if the browser lacks WebGL 2 */
   static create() {
     const canvas = document.createElement('canvas');
     const gl = canvas.getContext('webgl2', {
@@ -32,7 +32,7 @@ export class Graphics {
       stencil: false,
       powerPreference: 'high-performance',
     });
-    return gl && new Graphics(canvas, gl);
+    return gl ? new Graphics(canvas, gl) : noGraphics;
   }
 
   /** @param {HTMLCanvasElement} canvas @param {WebGL2RenderingContext} gl */
@@ -92,3 +92,8 @@ export class Graphics {
     return pixels;
   }
 }
+
+/** Replaces the context in a browser without WebGL 2: views keep their stills, as if the context were lost. */
+export const noGraphics = /** @type {Graphics} */ (
+  /** @type {unknown} */ ({ gl: { isContextLost: () => true }, listeners: [] })
+);

@@ -28,30 +28,18 @@ export class BodyView extends CanvasView {
     this.core = core;
     this.pictures = pictures;
     this.home = { azimuth: lens.azimuth, elevation: lens.elevation };
-    this.wasDrawn = false;
-  }
-
-  /** The still image of the page fills the canvas until the first picture. */
-  drawFirst() {
-    const image = /** @type {HTMLImageElement | null} */ (document.querySelector('#instead img')),
-      { width, height } = this.canvas;
-    if (this.wasDrawn || !image?.complete || image.naturalWidth === 0) return;
-    const scale = Math.max(width / image.naturalWidth, height / image.naturalHeight),
-      [wide, high] = [scale * image.naturalWidth, scale * image.naturalHeight];
-    this.context.drawImage(image, (width - wide) / 2, (height - high) / 2, wide, high);
   }
 
   /** @param {BodyPicture} picture */
   draw(picture) {
     if (!this.isDrawn) return;
-    this.wasDrawn = true;
     const { width, height } = this.canvas;
     let names = 0;
     this.paint(picture, width, height).forEach((labels, i, { length }) => {
       names = this.showNames(labels, { left: i / length, width: 1 / length }, names);
     });
     this.hideNames(names);
-    this.graphics.copyTo(this.context);
+    this.show();
   }
 
   /**

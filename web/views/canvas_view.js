@@ -1,6 +1,7 @@
 // Base of the views: a canvas at the display's resolution, drawn only while it is on the screen, a camera that
 // can be turned and zoomed by mouse, touch, pen and keyboard, and labels of objects in space.
 import { clamp } from '../math/linear.js';
+import { drawStill, findStill } from './stills.js';
 import { makeTurnable, turnByKey } from './turning.js';
 
 /** @import { Label, Viewpoint } from '../core/types' */
@@ -29,6 +30,8 @@ export class CanvasView {
     this.canvas = /** @type {HTMLCanvasElement} */ (box.querySelector('canvas'));
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
     this.gl = graphics.gl;
+    this.still = findStill(box.dataset);
+    this.wasDrawn = false;
     this.isVisible = false;
     /** Whether the wheel zooms the focused view; otherwise it scrolls the page unless Ctrl is pressed. */
     this.wheelZooms = true;
@@ -78,12 +81,23 @@ export class CanvasView {
     if (width === this.canvas.width && height === this.canvas.height) return;
     this.canvas.width = Math.max(1, width);
     this.canvas.height = Math.max(1, height);
-    this.drawFirst();
+    this.#drawStill();
     this.changed();
   }
 
-  /** Fills the resized canvas until the view is drawn. */
-  drawFirst() {}
+  /** Shows the view's still in the resized canvas until the view is drawn. */
+  #drawStill() {
+    if (this.wasDrawn || !this.still) return;
+    const { image } = this.still;
+    if (!image.complete) image.addEventListener('load', () => this.#drawStill(), { once: true });
+    else if (image.naturalWidth > 0) drawStill(this.context, this.still);
+  }
+
+  /** Copies the picture that the view has drawn to its canvas. */
+  show() {
+    this.wasDrawn = true;
+    this.graphics.copyTo(this.context);
+  }
 
   /** The settings for the present size of the canvas. @param {import("../core/types").Settings} settings */
   sized(settings) {

@@ -43,7 +43,7 @@ export class InsetView extends CanvasView {
     this.clear(colors.panel);
     const contents = this.pictures.inset(this.name, model.motion, own, this.viewpoint, instants);
     this.graphics.objects.lists.draw(contents);
-    this.graphics.copyTo(this.context);
+    this.show();
     this.hideNames(this.showNames(contents.labels));
   }
 }

@@ -6,7 +6,7 @@
 #include "app/options/option_group.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_options.h"
-#include "app/reports/poster.h"
+#include "app/reports/page_pictures.h"
 #include "app/terminal/message.h"
 #include "page/page_html.h"
 #include "page/site_html.h"
@@ -50,10 +50,10 @@ ScenePage page_of(const PageOptions& options, const std::string& empty, const sc
                               options.scenes.sources().at(index),
                               options.scenes.mesh_options().given(), !options.is_lab};
   page::require_shown(scene);
-  std::string poster = poster_or_nothing(shown.shown);
-  page::PageDocument page = page::page_html(empty, shown, poster);
+  film::PagePictures pictures = pictures_or_nothing(shown.shown, shown.has_article);
+  page::PageDocument page = page::page_html(empty, shown, pictures.poster + pictures.stills);
   for (const std::string& note : page.notes) say("twrench: {}\n", note);
-  return {std::move(page.html), std::move(poster)};
+  return {std::move(page.html), std::move(pictures.poster)};
 }
 
 void write_page(const PageOptions& options) {

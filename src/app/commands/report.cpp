@@ -10,7 +10,7 @@
 #include "app/options/output_options.h"
 #include "app/options/report_commands.h"
 #include "app/options/scene_options.h"
-#include "app/reports/poster.h"
+#include "app/reports/page_pictures.h"
 #include "app/terminal/message.h"
 #include "app/terminal/version.h"
 #include "page/page_html.h"
@@ -63,10 +63,10 @@ std::vector<report::Experiment> experiments_of(const ReportOptions& options) {
 
 /// The page of the first scene, which is placed above its results.
 report::Viewer viewer_of(const std::string& empty, const page::PageScene& scene) {
-  const std::string poster = poster_or_nothing(scene.shown);
-  const page::PageDocument page = page::page_html(empty, scene, poster);
+  const film::PagePictures pictures = pictures_or_nothing(scene.shown, scene.has_article);
+  const page::PageDocument page = page::page_html(empty, scene, pictures.poster + pictures.stills);
   for (const std::string& note : page.notes) say("twrench: {}\n", note);
-  return {page.html, page::content_policy(empty), poster};
+  return {page.html, page::content_policy(empty), pictures.poster};
 }
 
 report::Document document_of(const ReportOptions& options,
