@@ -311,6 +311,15 @@ omega = [0.1, 2.0, 0.1]
     assert.equal((await page.$$('math')).length, 15);
     assert.equal((await page.$$('figure svg')).length, 4);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    for (const [width, height] of [[1000, 900], [1000, 1000], [1280, 900]]) {
+      await page.setViewport({ width, height });
+      const [below, aside] = await viewer.evaluate(() => [
+        document.getElementById('transport').getBoundingClientRect().bottom - innerHeight,
+        document.documentElement.scrollWidth - innerWidth,
+      ]);
+      assert.ok(below <= 0 && aside <= 0, `the frame cuts off ${below} and ${aside} pixels of the lab in ${width}x${height}`);
+    }
+    await page.setViewport({ width: 900, height: 600 });
     await page.emulateMediaType('print');
     assert.equal(await page.$eval('.viewer iframe', (frame) => getComputedStyle(frame).display), 'none');
     assert.notEqual(await page.$eval('.viewer img', (image) => getComputedStyle(image).display), 'none');
