@@ -591,6 +591,8 @@ class Scene:
     ) -> Path:
         """Writes an HTML file with an interactive view of the motion, as ``twrench page`` does.
 
+        It opens in Norwegian if that is the scene's language, otherwise in the reader's.
+
         :param path: the file.
         :param lab: leave out the article, which explains why the body turns over.
         :param template: the page without a scene, as built by scripts/maintain/page.sh; None for the

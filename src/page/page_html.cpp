@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "base/enumeration.h"
 #include "embedded/page.h"
 #include "page/page_json.h"
 #include "page/template_filling.h"
@@ -27,7 +28,11 @@ std::string scene_html(const PageScene& scene, const Surface& surface) {
   nlohmann::ordered_json json = page_json(scene.shown, surface);
   json["program"] = "twrench " TWRENCH_VERSION;
   json["article"] = scene.has_article;
-  json["source"] = scene.source;
+  const scene::Language language = scene.language.value_or(scene.shown.language);
+  const bool is_chosen = scene.language || language != scene::Language::en;
+  if (is_chosen) json["language"] = enumerator_name(language);
+  // A built-in story has a name for each language.
+  json["source"] = scene::is_scene_file(scene.source) ? scene.source : scene.original.name;
   json["source_options"] = scene.source_options;
   json["source_scene"] = scene::scene_json(scene.original);
   std::string data;

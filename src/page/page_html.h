@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct PageScene {
   std::vector<std::string> source_options;
   /// Whether the article, which explains the motion, is above the lab.
   bool has_article = false;
+  /// The language of the page; nothing for the scene's or, if that is English, the reader's.
+  std::optional<scene::Language> language = {};
 };
 
 /// A page with its scene.

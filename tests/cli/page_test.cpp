@@ -198,6 +198,30 @@ TEST(Page, HasAStillOfEachFigure) {
   EXPECT_EQ(panes_of(" --lab"), "sphere:1 poinsot:1");
 }
 
+TEST(Page, OpensInTheGivenLanguage) {
+  const ScratchFolder folder;
+  write_template(folder);
+  const auto page = [&](const std::string& options, const std::string& notes = "") {
+    const Outcome run = run_twrench(folder, "page --lab --template t.html -o a.html " + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, notes) << options;
+    return scene_of(text_of(folder / "a.html"));
+  };
+  EXPECT_FALSE(page("").contains("language"));
+  EXPECT_EQ(page("--language en")["language"], "en");
+  EXPECT_EQ(page("--language no")["language"], "nb");
+  EXPECT_EQ(
+      page("--language sv", "twrench: note: the page is in English, not in 'sv'\n")["language"],
+      "en");
+  std::ofstream(folder / "s.toml") << "language = 'nb'\n[body]\nmoments = [1, 2, 3]\n";
+  EXPECT_EQ(page("s.toml")["language"], "nb");
+  EXPECT_EQ(page("s.toml --language en")["language"], "en");
+  // The page's commands name the story that it shows.
+  const nlohmann::json story = page("explain --language nb");
+  EXPECT_EQ(story["source"], "explain-nb");
+  EXPECT_EQ(story["scene"]["title"], "Hvorfor det snur");
+}
+
 TEST(Page, KeepsHostileTextText) {
   const ScratchFolder folder;
   write_template(folder);

@@ -152,6 +152,13 @@ def test_a_page_is_that_of_the_program(program, tmp_path, template, lab, options
     assert mine.read_bytes() == theirs.read_bytes()
 
 
+def test_a_page_in_norwegian_is_that_of_the_program(program, tmp_path, template):
+    mine, theirs = tmp_path / "mine.html", tmp_path / "theirs.html"
+    Scene("explain", language="nb").page(mine, lab=True, template=template)
+    program("page", "explain", "--language", "nb", "--lab", "--template", template, "-o", theirs)
+    assert mine.read_bytes() == theirs.read_bytes()
+
+
 def test_the_pages_of_all_scenes_are_as_of_the_program(program, tmp_path, template):
     mine, theirs = tmp_path / "new" / "mine", tmp_path / "theirs.html"
     index = twrench.pages(mine, template=template, theme="paper", size=(160, 90))

@@ -38,7 +38,7 @@ export function languageOf(languages) {
  * @param {readonly string[]} languages The reader's, as in navigator.languages.
  * @returns {State}
  */
-export function initialState({ scene }, languages) {
+export function initialState({ scene, language }, languages) {
   const compared = scene.overlay.compare ?? [];
   return {
     t: 0,
@@ -57,7 +57,7 @@ export function initialState({ scene }, languages) {
     methods: compared.length > 1 ? compared.slice(0, 2) : ['exact', 'rk4'],
     step: Math.max(scene.motion.step, 0.01),
     tolerance: Math.max(scene.motion.tolerance, 1e-6),
-    lang: languageOf(languages),
+    lang: language ?? languageOf(languages),
   };
 }
 

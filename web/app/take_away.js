@@ -117,6 +117,7 @@ export function commandLine(state, data, theme, model) {
     if (isChanged(value, given)) parts.push(optionOf(value[1], value[2]));
   const show = shownFeatures(state, data),
     before = given.overlay.show;
+  if (differ(data.scene.language, given.language)) parts.push(optionOf('language', data.scene.language));
   const hidden = before.filter((/** @type {string} */ feature) => !show.includes(feature));
   const added = show.filter((feature) => !before.includes(feature));
   if (hidden.length) parts.push(optionOf('hide', hidden));
@@ -146,14 +147,14 @@ function partTable({ sha256, shell, ...rest }) {
  * @param {State} state @param {PageData} data @param {string} theme @param {MotionModel} model
  */
 export function sceneFile(state, data, theme, model) {
-  const { part, body, shot, name, title, ...tables } = structuredClone(data.scene);
+  const { part, body, shot, name, title, language, ...tables } = structuredClone(data.scene);
   for (const value of valuesOf(state, data, theme, model)) {
     const [table, key] = value;
     if (isChanged(value, tables)) (tables[table] ??= {})[key] = value[2];
   }
   tables.overlay.show = shownFeatures(state, data);
   const texts = [
-    `# Lengths in centimetres, masses in grams, times in seconds, angles in radians.\ntitle = ${toml(title ?? '')}\n`,
+    `# Lengths in centimetres, masses in grams, times in seconds, angles in radians.\ntitle = ${toml(title ?? '')}\nlanguage = ${toml(language ?? 'en')}\n`,
   ];
   if (state.moments) texts.push(tomlTable('[body]', { moments: state.moments }));
   else if (body) texts.push(tomlTable('[body]', body));

@@ -53,6 +53,7 @@ export interface PageData {
   themes: Record<string, any>;
   rigid_features: string[]; // items of a film that have a meaning only for a rigid body
   lossless_features: string[]; // and only if no energy is lost
+  language?: State['lang']; // of the page; default: the reader's
   article: boolean; // whether the article is above the lab
   time_units: [number, number, string][]; // The longest first: the shortest time written in it, its length in s, its symbol.
   limits: {

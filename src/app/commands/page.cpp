@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/commands/commands.h"
 #include "app/options/option_group.h"
@@ -8,8 +11,10 @@
 #include "app/options/scene_options.h"
 #include "app/reports/page_pictures.h"
 #include "app/terminal/message.h"
+#include "base/enumeration.h"
 #include "page/page_html.h"
 #include "page/site_html.h"
+#include "scene/languages.h"
 #include "scene/motion_summary.h"
 #include "system/file.h"
 #include "system/output.h"
@@ -18,12 +23,16 @@ namespace twrench::app {
 namespace {
 
 struct PageOptions {
-  explicit PageOptions(CLI::App& command)
-      : scenes(command), output(command, system::page_output, OutputOptions::Otherwise::none) {
+  explicit PageOptions(CLI::App& app)
+      : command(app),
+        scenes(app),
+        output(app, system::page_output, OutputOptions::Otherwise::none) {
     scenes.add_motion_options();
     scenes.add_look_options();
+    scenes.add_language_option();
   }
 
+  CLI::App& command;
   SceneOptions scenes;
   OutputOptions output;
   std::string template_file;
@@ -39,16 +48,28 @@ system::FileList inputs_of(const PageOptions& options) {
   return files;
 }
 
-/// The page of a scene with its picture.
+/// The language that --language gives the page. Prints a note if the page has another.
+std::optional<scene::Language> language_of(const PageOptions& options, const scene::Scene& scene) {
+  const bool is_given = options.command.count("--language") > 0;
+  if (!scene::note_on_language(scene).empty()) {
+    say("twrench: note: the page is in English, not in '{}'\n", scene.language_tag);
+  }
+  return is_given ? std::optional(scene.language) : std::nullopt;
+}
+
+/// The page of a scene with its poster.
 struct ScenePage {
   std::string html, poster;
 };
 
 ScenePage page_of(const PageOptions& options, const std::string& empty, const scene::Scene& scene,
                   std::size_t index) {
-  const page::PageScene shown{page::shown_scene(scene), options.scenes.original(index),
+  const page::PageScene shown{page::shown_scene(scene),
+                              options.scenes.original(index),
                               options.scenes.sources().at(index),
-                              options.scenes.mesh_options().given(), !options.is_lab};
+                              options.scenes.mesh_options().given(),
+                              !options.is_lab,
+                              language_of(options, scene)};
   page::require_shown(scene);
   film::PagePictures pictures = pictures_or_nothing(shown.shown, shown.has_article);
   page::PageDocument page = page::page_html(empty, shown, pictures.poster + pictures.stills);
@@ -102,6 +123,10 @@ void add_page(CLI::App& app) {
   const auto options = std::make_shared<PageOptions>(*command);
   CLI::Option& output = *command->get_option("--output");
   output.description(output.get_description() + "; with --all a folder");
+  command->get_option("--language")
+      ->description(fmt::format("language of the page, and of a built-in story: {}",
+                                fmt::join(enumerator_names<scene::Language>(), " or ")))
+      ->default_str("the scene's if it is not English, otherwise the reader's");
   command
       ->add_flag("--all", options->all,
                  "write the pages of all built-in scenes, and index.html with a picture of each")

@@ -56,6 +56,9 @@ class SceneOptions {
   /// --hide.
   void add_picture_options();
 
+  /// Adds only --language.
+  void add_language_option();
+
   /// Adds only --inertia.
   void add_inertia_option();
 
@@ -112,9 +115,6 @@ class SceneOptions {
   /// Adds a flag that changes the overlays.
   void add_flag(const std::string& name, const std::string& help,
                 std::function<void(scene::Scene&)> apply);
-
-  /// Adds the option for the language of the text.
-  void add_language_option();
 
   /// Adds --shape, the solid that is drawn for a body given by its inertia.
   void add_shape_option();
