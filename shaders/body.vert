@@ -29,9 +29,7 @@ out float coverage;  // 1 on the body, falling to 0 across an edge quad
 flat out vec4 bulge;  // offset from a facet to the exact surface, see body.frag
 flat out float scale;  // pixels per unit length
 flat out float most_variance;  // of the normal within a pixel
-// See brush.glsl. With several samples per pixel, a value that is not `centroid` is taken at the
-// pixel's centre, which may lie beyond the facet's edge: the value extrapolated there may be on the
-// stripe.
+// See brush.glsl.
 centroid out vec2 across;
 out vec3 around;
 
@@ -108,5 +106,6 @@ void main() {
     stage_normal = normalize(mix(radial, stage_normal, smoothstep(1.0, 2.0, seen_width)));
   }
   pass_on_color();
+  pass_on_mark(vec4(position, 1.0));
   pass_on_neighbours();
 }

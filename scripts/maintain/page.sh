@@ -44,7 +44,7 @@ core_sources() {
     motion/{diagnostics,energy_contours,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
     motion/{reference_motion,series_steps,stability,stepper,taylor,trajectory} study/{flip_search,reference} \
     scene/{limits,prediction,reference_frame,scene,speed_curve} timeline/{camera_move,frame_change,tilting_torque,timeline,tip_forces} \
-    picture/space/camera picture/body/{body_model,body_uniforms,floor_plane,intersections,mesh,shadow_balls} \
+    picture/space/camera picture/body/{body_model,body_uniforms,bounding_radius,floor_plane,half_turn,intersections,mark,mesh,shadow_balls} \
     picture/look/{emphasis,force_style,material,sky,studio,theme} \
     picture/compose/{camera_path,label} \
     picture/overlay/{axis_tip,body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,torque_arcs,track,trail_point}

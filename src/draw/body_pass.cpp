@@ -61,14 +61,15 @@ gl::Program body_program(const gl::Functions& gl, const ProgramKind& kind, const
   const bool alone = body.occluder_count == 0;
   const std::array vertex{gl::ShaderFile{"constants", constants},
                           file(alone ? "unoccluded.vert" : "occluders.vert"),
-                          file(kind.is_colored ? "colored.vert" : "plain.vert"), file("body.vert")};
+                          file(kind.is_colored ? "colored.vert" : "plain.vert"),
+                          file(body.mark ? "marked.vert" : "unmarked.vert"), file("body.vert")};
   const std::array fragment{gl::ShaderFile{"constants", constants},
                             file("studio.glsl"),
                             file(kind.is_colored ? "colored.glsl" : "plain.glsl"),
                             file(alone ? "unoccluded.glsl" : "occluders.glsl"),
                             file("tone.glsl"),
                             file("brush.glsl"),
-                            file(body.is_marked ? "marked.glsl" : "unmarked.glsl"),
+                            file(body.mark ? "marked.glsl" : "unmarked.glsl"),
                             file(scattering_of(kind.material)),
                             file("body.frag")};
   return {gl, vertex, fragment};
@@ -195,6 +196,7 @@ void BodyPass::set_stage(const picture::StageUniforms& stage, const glm::vec3& p
     program.set("stage_from_body", stage.stage_from_body);
     program.set("stage_normal_from_body", stage.stage_normal_from_body);
     program.set("picture", picture);
+    if (body_->mark) program.set("mark_from_body", *body_->mark);
   }
   gl_->Enable(GL_DEPTH_TEST);
   gl_->Enable(GL_CULL_FACE);

@@ -8,7 +8,7 @@
 #include "page/packing.h"
 #include "page/shadow_balls.h"
 #include "picture/body/body_model.h"
-#include "picture/body/revolution.h"
+#include "picture/body/mark.h"
 #include "picture/overlay/trail_point.h"
 
 namespace twrench::page {
@@ -96,13 +96,17 @@ ordered_json surface_json(const scene::Scene& scene, const Surface& surface,
   const auto balls = reduced_shadow_balls(scene::visible_parts(scene.body));
   ordered_json json{{"radius", radius},
                     {"trail_point", numbers(picture::trail_point(scene))},
-                    {"marked", picture::axis_of_revolution(parts).has_value()},
                     {"vertices", packed_vertices(mesh, radius)},
                     {"indices", packed(mesh.indices, 1)},
                     {"parts", parts_json(models, materials)},
                     {"occluder_count", picture::most_occluders(models)},
                     {"model", model_json(models, radius, balls)}};
   if (!mesh.colors.empty()) json["colors"] = packed_colors(mesh);
+  const auto principal = body::principal_axes(scene::mass_properties(scene.body).inertia);
+  if (const auto mark = picture::mark_from_body(parts, materials.of_part, principal)) {
+    json["mark"] = ordered_json::array();
+    for (const glm::vec4& row : *mark) append(json["mark"], {row.x, row.y, row.z, row.w});
+  }
   return json;
 }
 

@@ -35,7 +35,7 @@ export interface Surface {
   indices: Uint32Array;
   colors: Uint16Array | null; // Linear colours of the vertices, if any part has them.
   parts: SurfacePart[];
-  marked: boolean; // whether a stripe shows how a body of revolution turns.
+  mark?: number[]; // The uniform mark_from_body of marked.vert, for a body that has a mark.
   radius: number; // Bounding radius, cm.
   trail_point: number[]; // The point of the body that draws the trail.
   occluder_count: number; // The most occluders of a part.

@@ -9,6 +9,7 @@
 
 #include "picture/body/body_uniforms.h"
 #include "picture/body/floor_plane.h"
+#include "picture/body/mark.h"
 #include "picture/body/shadow_balls.h"
 #include "picture/overlay/trail_point.h"
 #include "picture/shapes/shapes.h"
@@ -109,13 +110,16 @@ using namespace twrench::page;
 }
 
 /// Writes the box of a body with the moments in the scratch area: the addresses of its vertices and
-/// indices, and their numbers; the point that draws the trail; then the arguments of surface_new()
-/// without the tint. Returns how many numbers these are.
+/// indices, and their numbers; the point that draws the trail; the rows of its mark; then the
+/// arguments of surface_new() without the tint. Returns how many numbers these are.
 [[clang::export_name("box_surface")]] std::size_t box_surface() {
   static picture::Mesh mesh;
   scene::Scene scene;
-  const body::Part part = body::equimomental_box(vector_at(0).asDiagonal());
+  const Matrix3d inertia = vector_at(0).asDiagonal();
+  const body::Part part = body::equimomental_box(inertia);
   scene.body.parts = {part};
+  const picture::MarkFromBody mark =
+      picture::painted_end(scene.body.parts, body::principal_axes(inertia));
   const auto& box = std::get<body::Box>(part.shape);
   const double radius = box.size.norm() / 2;
   mesh = picture::surface_of_rings(part, picture::rings_of(box, 2.3e-4 * radius));
@@ -124,8 +128,11 @@ using namespace twrench::page;
   Results results(0);
   results << mesh.vertices.data() << static_cast<double>(mesh.vertices.size())
           << mesh.indices.data() << static_cast<double>(mesh.indices.size())
-          << picture::trail_point(scene) << radius << 1.0
-          << Vector3d(traits.outline.radius / radius, 0, 0);
+          << picture::trail_point(scene);
+  for (const glm::vec4& row : mark) {
+    for (int i = 0; i < 4; ++i) results << row[i];
+  }
+  results << radius << 1.0 << Vector3d(traits.outline.radius / radius, 0, 0);
   // No side of a cylinder, not foil, no occluders.
   for (int i = 0; i < 3 + 8 + 1 + 1; ++i) results << 0.0;
   const std::vector<Ball> balls = picture::shadow_balls({-end, end, traits.occluder->radius});

@@ -5,7 +5,8 @@ import body_vert from '../../shaders/body.vert';
 import brush from '../../shaders/brush.glsl';
 import colored_frag from '../../shaders/colored.glsl';
 import colored_vert from '../../shaders/colored.vert';
-import marked from '../../shaders/marked.glsl';
+import marked_frag from '../../shaders/marked.glsl';
+import marked_vert from '../../shaders/marked.vert';
 import matte from '../../shaders/matte.glsl';
 import metal from '../../shaders/metal.glsl';
 import occluders_frag from '../../shaders/occluders.glsl';
@@ -15,7 +16,8 @@ import plain_vert from '../../shaders/plain.vert';
 import regolith from '../../shaders/regolith.glsl';
 import studio from '../../shaders/studio.glsl';
 import tone from '../../shaders/tone.glsl';
-import unmarked from '../../shaders/unmarked.glsl';
+import unmarked_frag from '../../shaders/unmarked.glsl';
+import unmarked_vert from '../../shaders/unmarked.vert';
 import unoccluded_frag from '../../shaders/unoccluded.glsl';
 import unoccluded_vert from '../../shaders/unoccluded.vert';
 import { CoreSurface } from '../core/surface.js';
@@ -59,6 +61,7 @@ const bool is_of_one_material = ${ofOneMaterial};
       constants,
       alone ? unoccluded_vert : occluders_vert,
       colored ? colored_vert : plain_vert,
+      surface.mark ? marked_vert : unmarked_vert,
       body_vert,
     ],
     [
@@ -68,7 +71,7 @@ const bool is_of_one_material = ${ofOneMaterial};
       alone ? unoccluded_frag : occluders_frag,
       tone,
       brush,
-      surface.marked ? marked : unmarked,
+      surface.mark ? marked_frag : unmarked_frag,
       scatteringOf(material),
       body_frag,
     ],
@@ -147,7 +150,8 @@ export class BodyPass {
    */
   #drawParts({ body, parts }, { width, height }, blending = [this.gl.ONE, this.gl.ONE_MINUS_SRC_ALPHA]) {
     const { gl } = this;
-    for (const program of this.programs) program.use({ ...body, picture: [width / 2, height / 2, 0.5] });
+    const ofAll = { ...body, picture: [width / 2, height / 2, 0.5], mark_from_body: this.surface.mark ?? [] };
+    for (const program of this.programs) program.use(ofAll);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     gl.enable(gl.BLEND);

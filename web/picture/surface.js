@@ -25,17 +25,18 @@ export async function surfaceOf(json) {
 export function boxSurface({ instance }, moments) {
   instance.scratch(3).set(moments);
   const count = instance.call('box_surface');
-  const [vertices, vertexCount, indices, end, x, y, z, ...model] = instance.scratch(count);
+  const [vertices, vertexCount, indices, end, x, y, z, ...numbers] = instance.scratch(count);
+  const mark = numbers.splice(0, 12);
   const { buffer } = instance.exports.memory;
   return {
     vertices: new Float32Array(buffer, vertices, 6 * vertexCount).slice(),
     indices: new Uint32Array(buffer, indices, end).slice(),
     colors: null,
     parts: [{ side_begin: end, end, material: 0 }],
-    marked: false,
-    radius: model[0],
+    mark,
+    radius: numbers[0],
     trail_point: [x, y, z],
     occluder_count: 0,
-    model,
+    model: numbers,
   };
 }

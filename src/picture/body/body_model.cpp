@@ -27,6 +27,16 @@ std::optional<glm::vec3> mean_color(const Mesh& mesh, std::size_t part) {
   return std::accumulate(at(begin), at(end), glm::vec3(0)) / static_cast<float>(end - begin);
 }
 
+/// Returns for each part the index of the first with the same material.
+std::vector<std::size_t> first_alike(const std::vector<Material>& materials) {
+  std::vector<std::size_t> first;
+  for (const Material& material : materials) {
+    const auto found = std::ranges::find(materials, material);
+    first.push_back(static_cast<std::size_t>(found - materials.begin()));
+  }
+  return first;
+}
+
 }  // namespace
 
 bool PartModel::is_lifted() const {
@@ -78,7 +88,7 @@ BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius
           .intersections = std::move(intersections),
           .materials = std::move(materials),
           .tints = std::move(tints),
-          .is_marked = axis_of_revolution(parts).has_value(),
+          .mark = std::nullopt,
           .occluder_count = occluders,
           .studio = studio};
 }
@@ -95,8 +105,13 @@ BodyModel body_model(const scene::Scene& scene, double tolerance, double radius)
   for (std::size_t i = 0; i < parts.size(); ++i) {
     materials.push_back(material(scene.look, looks[i], has_own_colors(parts[i])));
   }
-  return body_model(parts, std::move(mesh), radius, std::move(materials),
-                    style_of(scene.look.theme).studio);
+  const auto mark =
+      mark_from_body(parts, first_alike(materials),
+                     body::principal_axes(scene::mass_properties(scene.body).inertia));
+  BodyModel model = body_model(parts, std::move(mesh), radius, std::move(materials),
+                               style_of(scene.look.theme).studio);
+  model.mark = mark;
+  return model;
 }
 
 }  // namespace twrench::picture

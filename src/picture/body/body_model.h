@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "picture/body/intersections.h"
+#include "picture/body/mark.h"
 #include "picture/body/mesh.h"
 #include "picture/body/occluders.h"
 #include "picture/body/revolution.h"
@@ -63,8 +64,8 @@ struct BodyModel {
   std::vector<Material> materials;
   /// The linear colour of the light that each part reflects.
   std::vector<glm::vec3> tints;
-  /// Whether a stripe shows how a body of revolution turns.
-  bool is_marked;
+  /// The paint that shows how the body turns, if it needs any.
+  std::optional<MarkFromBody> mark;
   /// The largest number of occluders of a part.
   std::size_t occluder_count;
   /// Lights.
@@ -74,7 +75,7 @@ struct BodyModel {
 /// Returns the largest number of occluders of a part.
 std::size_t most_occluders(std::span<const PartModel> parts);
 
-/// Returns the body of these parts, each with its material.
+/// Returns the body of these parts without a mark, each with its material.
 BodyModel body_model(std::span<const body::Part> parts, Mesh mesh, double radius,
                      std::vector<Material> materials, const Studio& studio);
 

@@ -13,4 +13,9 @@ double bounding_radius(std::span<const body::Part> parts) {
   return result;
 }
 
+double extent_along(const body::Part& part, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d own = part.body_from_part.transpose() * direction;
+  return direction.dot(part.position) + own.dot(body::support(part.shape, own));
+}
+
 }  // namespace twrench::picture

@@ -12,8 +12,7 @@
 namespace twrench::picture {
 
 /// Returns the axis of a body of revolution, which passes through the origin, as a unit vector in
-/// body axes; for a sphere, its own z axis. Returns nothing for other bodies, whose rotation is
-/// visible.
+/// body axes; for a sphere, its own z axis. Returns nothing for other bodies.
 std::optional<Eigen::Vector3d> axis_of_revolution(std::span<const body::Part> parts);
 
 /// The rows of the matrix that maps (position, 1) in body axes, cm, to the position across an axis.

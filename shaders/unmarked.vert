@@ -1,0 +1,2 @@
+// A body whose shape shows its rotation.
+void pass_on_mark(vec4 place) {}
