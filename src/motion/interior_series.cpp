@@ -96,17 +96,19 @@ void InteriorSeries::expand(const State& state, double longest) {
     last_order_ = k + 1;
     power *= reach;
     const double contribution = power * (std::abs(q_[k + 1].w) + q_[k + 1].v.lpNorm<1>());
-    constexpr double negligible = 1e-19;  // beside 1
     if (last_order_ == order_ || std::max(before, contribution) < negligible) break;
     before = contribution;
     momentum = change.head<3>().matrix() / next;
     rate = inverse_ * momentum;
   }
+}
+
+LastTerms InteriorSeries::last() const {
   // |dX| = 2 sqrt(2) |dq| for a unit quaternion.
   const auto term = [&](std::size_t k) {
     return 2 * std::numbers::sqrt2 * std::hypot(q_[k].w, q_[k].v.stableNorm());
   };
-  last_ = {last_order_, term(last_order_ - 1), term(last_order_)};
+  return {last_order_, term(last_order_ - 1), term(last_order_)};
 }
 
 InteriorSeries::State InteriorSeries::at(double h) const {

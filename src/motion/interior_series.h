@@ -33,19 +33,32 @@ class InteriorSeries {
   /// Moves the expansion point. The last terms that contribute less than round-off within `longest`
   /// s are left out.
   void expand(const State& state, double longest = std::numeric_limits<double>::infinity());
+  /// The number of series that are expanded together.
+  static constexpr std::size_t lanes = 8;
+  /// Expands series of one body from their states, at a fraction of the cost and with the same bits
+  /// as expand().
+  static void expand_together(std::array<InteriorSeries, lanes>& series,
+                              const std::array<State, lanes>& states,
+                              const std::array<double, lanes>& longest);
   /// Returns the state h seconds after the expansion point.
   State at(double h) const;
   /// Returns the larger of the contributions of the last two orders to X after h seconds, in the
   /// Frobenius norm.
-  double last_terms(double h) const { return last_.after(h / time_unit_); }
+  double last_terms(double h) const { return last().after(h / time_unit_); }
   /// Returns the longest h > 0 in s for which last_terms(h) is within `tolerance`.
-  double max_step(double tolerance) const { return time_unit_ * last_.longest_time(tolerance); }
+  double max_step(double tolerance) const { return time_unit_ * last().longest_time(tolerance); }
 
  private:
+  /// A contribution to the quaternion that is negligible beside 1.
+  static constexpr double negligible = 1e-19;
+
+  struct Together;
   struct Quaternion {
     double w;
     Eigen::Vector3d v;
   };
+
+  LastTerms last() const;
 
   FreeBody body_;
   std::size_t order_;
@@ -55,8 +68,7 @@ class InteriorSeries {
   Eigen::Matrix3d inverse_;   ///< I^-1 in these units.
   State start_;
   std::array<Quaternion, max_taylor_order + 1> q_;  ///< Coefficients.
-  LastTerms last_{};
-  std::size_t last_order_ = 0;  ///< The order of the last term kept.
+  std::size_t last_order_ = 0;                      ///< The order of the last term kept.
 };
 
 }  // namespace twrench::motion

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/require.h"
+#include "motion/possible_steps.h"
 
 namespace twrench::motion {
 namespace {
@@ -40,8 +41,16 @@ void require_few_own_steps(const FreeBody& body, const Method& method, const Ste
                     MotionError::Reason::out_of_steps);
 }
 
-/// Throws if the steps to t_end, s, exceed the limit, before the first step is taken. The limit
-/// also applies to the steps of the closed form.
+/// Returns the time `t` of a sample. Throws unless it is finite, not negative and not before
+/// `last`.
+double require_not_before(double last, double t) {
+  require_not_negative("time", t);
+  if (t >= last) return t;
+  throw InvalidArgument("time", fmt::format("is {} s after {} s, but must ascend", t, last));
+}
+
+}  // namespace
+
 void require_possible(const FreeBody& body, const Method& method, const StepControl& control,
                       double t_end) {
   if (method.adaptive()) return require_few_own_steps(body, method, control, t_end);
@@ -52,16 +61,6 @@ void require_possible(const FreeBody& body, const Method& method, const StepCont
                                 control.step, t_end, control.max_steps),
                     MotionError::Reason::too_many_steps);
 }
-
-/// Returns the time `t` of a sample. Throws unless it is finite, not negative and not before
-/// `last`.
-double require_not_before(double last, double t) {
-  require_not_negative("time", t);
-  if (t >= last) return t;
-  throw InvalidArgument("time", fmt::format("is {} s after {} s, but must ascend", t, last));
-}
-
-}  // namespace
 
 Trajectory integrate(const FreeBody& body, const Method& method, const StepControl& control,
                      std::span<const double> times) {

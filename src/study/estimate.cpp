@@ -8,20 +8,35 @@
 #include "study/reference.h"
 
 namespace twrench::study {
+namespace {
 
-double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step) {
-  require_finite_entries("after", step.after);
-  require_finite_entries("X", step.before);
-  require_finite("h", step.length);
-  return (step.after - reference_step(body, step.before, step.length)).norm();
+std::vector<double> local_errors(const motion::FreeBody& body,
+                                 std::span<const motion::AcceptedStep> steps) {
+  for (const motion::AcceptedStep& step : steps) {
+    require_finite_entries("after", step.after);
+    require_finite_entries("X", step.before);
+    require_finite("h", step.length);
+  }
+  const std::vector<Eigen::Matrix3d> ends = reference_ends(body, steps);
+  std::vector<double> errors(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) errors[i] = (steps[i].after - ends[i]).norm();
+  return errors;
 }
 
-void EstimateCheck::visit(const motion::AcceptedStep& step) {
+}  // namespace
+
+double local_error(const motion::FreeBody& body, const motion::AcceptedStep& step) {
+  return local_errors(body, {&step, 1})[0];
+}
+
+void EstimateCheck::visit(std::span<const motion::AcceptedStep> steps) {
   constexpr double round_off = 1e-14;
-  require_not_negative("error", step.error);
-  const double error = local_error(body_, step);
-  largest_error_ = std::max(largest_error_, error);
-  if (error > round_off) ratios_.push_back(error / step.error);
+  for (const motion::AcceptedStep& step : steps) require_not_negative("error", step.error);
+  const std::vector<double> errors = local_errors(body_, steps);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    largest_error_ = std::max(largest_error_, errors[i]);
+    if (errors[i] > round_off) ratios_.push_back(errors[i] / steps[i].error);
+  }
 }
 
 EstimateQuality EstimateCheck::quality() const {

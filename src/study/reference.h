@@ -13,9 +13,9 @@ namespace twrench::study {
 std::vector<motion::Sample> reference_at(const motion::FreeBody& body,
                                          std::span<const double> times);
 
-/// Returns the attitude of the reference `length` seconds after the attitude X.
-Eigen::Matrix3d reference_step(const motion::FreeBody& body, const Eigen::Matrix3d& X,
-                               double length);
+/// Returns the attitudes of the reference at the ends of the steps, from their beginnings.
+std::vector<Eigen::Matrix3d> reference_ends(const motion::FreeBody& body,
+                                            std::span<const motion::AcceptedStep> steps);
 
 /// Returns the flip times in s in a method's own solution, as FlipSearch finds them where there is
 /// no closed form. The last may lie beyond t_end, but within the step that contains it.

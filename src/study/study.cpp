@@ -1,5 +1,6 @@
 #include <twrench/motion/diagnostics.h>
 #include <twrench/motion/error.h>
+#include <twrench/motion/propagator.h>
 #include <twrench/motion/stepper.h>
 #include <twrench/study/flip_search.h>
 #include <twrench/study/study.h>
@@ -14,6 +15,7 @@
 
 #include "base/parallel.h"
 #include "base/require.h"
+#include "motion/possible_steps.h"
 #include "motion/reference_motion.h"
 #include "study/ladder.h"
 #include "study/reference.h"
@@ -22,19 +24,6 @@ namespace twrench::study {
 namespace {
 
 constexpr std::size_t time_parts = 200;
-
-/// Returns the CPU time of one call in s, averaged over at least 2 ms of calls, because the clock
-/// is coarse.
-template <typename Call>
-double cpu_seconds(const Call& call) {
-  constexpr double enough = 2e-3;
-  const std::clock_t start = std::clock();
-  for (int calls = 1;; ++calls) {
-    call();
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (seconds > enough) return seconds / calls;
-  }
-}
 
 /// Returns the largest error of the flips that both solutions have. The method may find the last
 /// ones only after the end, or not at all.
@@ -103,16 +92,31 @@ class EnergyErrors {
   std::vector<double> times_, changes_;
 };
 
-/// Visits the method's steps and collects errors, flips and the quality of the estimate.
-void measure_steps(const motion::FreeBody& body, const motion::Method& method,
-                   const motion::StepControl& control, const Study& study, StudyRun& run) {
+/// A run of a method, and what it needs.
+struct PlannedRun {
+  const motion::Method* method;
+  motion::StepControl control;
+  StudyRun* result;
+};
+
+/// Takes the method's steps to the end, and collects errors, flips and the quality of the estimate.
+/// `end` has the reference there.
+void measure_steps(const motion::FreeBody& body, const PlannedRun& planned, const Study& study,
+                   const motion::Sample& end) {
+  const motion::Method& method = *planned.method;
+  StudyRun& run = *planned.result;
+  motion::require_possible(body, method, planned.control, study.duration);
+  const auto propagator = motion::make_propagator(body, method, planned.control);
   const double initial_energy = motion::energy(body.inertia(), body.omega());
   FlipSearch flips(body, method);
   EstimateCheck estimate(body);
   EnergyErrors energy_errors(body, study.duration, run);
-  std::int64_t steps = 0;
-  const auto visit = [&](const motion::AcceptedStep& step) {
-    ++steps;
+  std::vector<motion::AcceptedStep> estimated;
+  constexpr std::size_t together = 128;  // in the nearest cache
+  std::int64_t accepted = 0;
+  while (propagator->t() < study.duration) {
+    const motion::AcceptedStep step = propagator->next_step();
+    ++accepted;
     const double t = step.t + step.length;
     const motion::Diagnostics d = motion::diagnose(
         body, initial_energy, {t, step.after, motion::angular_velocity(body, method, step.after)});
@@ -120,24 +124,25 @@ void measure_steps(const motion::FreeBody& body, const motion::Method& method,
     run.orthogonality_error = std::max(run.orthogonality_error, d.orthogonality_error);
     run.momentum_error = std::max(run.momentum_error, d.momentum_error);
     if (has_flips(study)) flips.visit(step);
-    if (method.adaptive()) estimate.visit(step);
-  };
-  motion::visit_steps(body, method, control, study.duration, visit);
+    if (method.adaptive()) estimated.push_back(step);
+    if (estimated.size() == together) {
+      estimate.visit(estimated);
+      estimated.clear();
+    }
+  }
+  estimate.visit(estimated);
   energy_errors.compare();
+  run.error = (propagator->sample_at(study.duration).X - end.X).norm();
+  run.steps = propagator->steps();
+  // The steps of the closed form only serve the search for flips.
+  run.evaluations = method.exact() ? 1 : propagator->evaluations();
   run.flips = flips.times();
   std::erase_if(run.flips, [&](double t) { return t > study.duration; });
   run.flip_error = flip_error(study.flip_times, run.flips);
   if (!method.adaptive()) return;
-  run.step = study.duration / static_cast<double>(steps);
+  run.step = study.duration / static_cast<double>(accepted);
   run.estimate = estimate.quality();
 }
-
-/// A run of a method, and what it needs.
-struct PlannedRun {
-  const motion::Method* method;
-  motion::StepControl control;
-  StudyRun* result;
-};
 
 /// Does the work, or records why the method failed.
 template <typename Work>
@@ -152,49 +157,63 @@ void record_failure(StudyRun& run, const Work& work) {
   }
 }
 
-/// Sets the cost of a run and its errors at the early time and at the end. `reference`
-/// has the samples at these times.
-void measure_ends(const motion::FreeBody& body, const PlannedRun& planned, const Study& study,
-                  const std::vector<motion::Sample>& reference) {
-  StudyRun& run = *planned.result;
-  run.step = planned.control.step;
-  if (planned.method->adaptive()) run.tolerance = planned.control.tolerance;
-  record_failure(run, [&] {
-    const std::array<double, 1> early{study.early}, end{study.duration};
-    motion::Trajectory path;
-    run.cpu_seconds =
-        cpu_seconds([&] { path = motion::integrate(body, *planned.method, planned.control, end); });
-    const motion::Sample sample =
-        motion::integrate(body, *planned.method, planned.control, early).samples[0];
-    run.early_error = (sample.X - reference[0].X).norm();
-    run.error = (path.samples[0].X - reference[1].X).norm();
-    run.steps = path.steps;
-    run.evaluations = path.evaluations;
-  });
+/// The cost of the first part of a run.
+struct Cost {
+  double cpu_seconds;
+  std::int64_t evaluations;
+};
+
+/// Sets the error at the early time, and returns the cost from t = 0 to then or later: at least 2
+/// ms, because the clock is coarse, of several calls if the whole run takes less. `early` has the
+/// reference at the early time.
+Cost measure_start(const motion::FreeBody& body, const PlannedRun& planned, const Study& study,
+                   const motion::Sample& early) {
+  constexpr double enough = 2e-3;
+  std::array<double, 1> end{study.early};
+  const auto integrate = [&] {
+    return motion::integrate(body, *planned.method, planned.control, end);
+  };
+  motion::Trajectory path = integrate();
+  planned.result->early_error = (path.samples[0].X - early.X).norm();
+  for (;;) {
+    const std::clock_t start = std::clock();
+    double seconds = 0;
+    int calls = 0;
+    do {
+      path = integrate();
+      ++calls;
+      seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    } while (seconds < enough && end[0] == study.duration);
+    if (seconds >= enough) return {seconds / calls, path.evaluations};
+    end[0] = std::min(4 * end[0], study.duration);
+  }
 }
 
-/// Carries out the runs, and reports each half of one to the plan. The processor time is measured
-/// first, while nothing else runs.
+/// Carries out the runs, and reports each to the plan. The processor time is measured first, while
+/// nothing else runs. `reference` has the samples at the early time and at the end.
 void carry_out(const motion::FreeBody& body, const std::vector<PlannedRun>& runs,
                const StudyPlan& plan, const Study& study,
                const std::vector<motion::Sample>& reference) {
+  std::vector<Cost> starts(runs.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    StudyRun& run = *runs[i].result;
+    run.step = runs[i].control.step;
+    if (runs[i].method->adaptive()) run.tolerance = runs[i].control.tolerance;
+    record_failure(run, [&] { starts[i] = measure_start(body, runs[i], study, reference[0]); });
+  }
   std::mutex mutex;
   std::size_t done = 0;
-  const auto count = [&] {
-    const std::lock_guard lock(mutex);
-    ++done;
-    if (plan.progress) plan.progress(done, 2 * runs.size());
-  };
-  for (const PlannedRun& run : runs) {
-    measure_ends(body, run, study, reference);
-    count();
-  }
   for_each_part(runs.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      record_failure(*runs[i].result, [&] {
-        measure_steps(body, *runs[i].method, runs[i].control, study, *runs[i].result);
+      StudyRun& run = *runs[i].result;
+      record_failure(run, [&] {
+        measure_steps(body, runs[i], study, reference[1]);
+        run.cpu_seconds = starts[i].cpu_seconds * static_cast<double>(run.evaluations) /
+                          static_cast<double>(starts[i].evaluations);
       });
-      count();
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (plan.progress) plan.progress(done, runs.size());
     }
   });
 }

@@ -10,9 +10,12 @@
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/every_method.h"
+#include "motion/interior_series.h"
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
 
@@ -228,6 +231,33 @@ TEST(Interior, RefusesWhatCannotBe) {
   EXPECT_NO_THROW(body(Vector3d(2, 2, 3).asDiagonal(), {.energy_loss_time = 1e-3}));
   EXPECT_THROW(body(inertia, {.wheel = {0, nan, 0}}), OutOfRange);
   EXPECT_THROW(body(inertia, {.wheel = {0, 1e200, 0}}), InvalidArgument);
+}
+
+/// Series that are expanded together have the bits of series expanded alone.
+TEST(Interior, SeriesAreTheSameTogether) {
+  const Matrix3d inertia{{3, 0.2, -0.1}, {0.2, 4, 0.3}, {-0.1, 0.3, 5}};
+  const FreeBody body(inertia, {1, 2, -0.5}, identity,
+                      {.wheel = {0.3, -1, 0.2}, .energy_loss_time = 80});
+  const Method& method = find_method("taylor");
+  const InteriorSeries series(body, std::get<Taylor>(method.scheme->kind));
+  constexpr std::size_t lanes = InteriorSeries::lanes;
+  std::array<InteriorSeries, lanes> together{series, series, series, series,
+                                             series, series, series, series};
+  std::array<InteriorSeries::State, lanes> states;
+  std::array<double, lanes> lengths;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    lengths[i] = i == 0 ? never : 0.02 * static_cast<double>(i);
+    states[i] = {
+        integrate(body, method, {}, std::array{0.7 * static_cast<double>(i)}).samples[0].X};
+  }
+  InteriorSeries::expand_together(together, states, lengths);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    InteriorSeries alone = series;
+    alone.expand(states[i], lengths[i]);
+    const double h = std::min(lengths[i], 0.1);
+    EXPECT_EQ(together[i].at(h).X, alone.at(h).X) << i;
+    EXPECT_EQ(together[i].last_terms(h), alone.last_terms(h)) << i;
+  }
 }
 
 }  // namespace

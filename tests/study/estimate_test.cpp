@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "motion/random_bodies.h"
 #include "motion/reference.h"
@@ -106,6 +107,29 @@ TEST(Estimate, RatioToTheTruthIsBoundedWithTheCorrectionAndGrowsAsOneOverStepSqu
   }
   EXPECT_NEAR(ratio(body, "rkf45", 0.1), 1058, 5);
   EXPECT_NEAR(ratio(body, "rkf45", 0.0125), 64765, 200);
+}
+
+/// Steps that are visited together have the same errors as those visited one by one.
+TEST(Estimate, IsTheSameForStepsTogether) {
+  for (const char* name : {"wrench-a", "wheel", "loss", "wheel-loss"}) {
+    const motion::FreeBody wrench = motion::reference_case("wrench-a").body;
+    motion::Interior interior;
+    if (std::string_view(name).starts_with("wheel")) interior.wheel = {1, 20, 3};
+    if (std::string_view(name).ends_with("loss")) interior.energy_loss_time = 60;
+    const motion::FreeBody body(wrench.inertia(), wrench.omega(), wrench.attitude(), interior);
+    // From fractions of a radian to several, so that a step of the reference has several parts.
+    for (const double tolerance : {1e-3, 1e-11}) {
+      std::vector<motion::AcceptedStep> steps;
+      motion::visit_steps(body, motion::find_method("rkmk45"), {.tolerance = tolerance}, 5,
+                          [&](const motion::AcceptedStep& step) { steps.push_back(step); });
+      EstimateCheck alone(body), together(body);
+      for (const motion::AcceptedStep& step : steps) alone.visit(step);
+      together.visit(steps);
+      EXPECT_EQ(alone.quality().largest_error, together.quality().largest_error) << name;
+      EXPECT_EQ(alone.quality().median_ratio, together.quality().median_ratio) << name;
+      EXPECT_EQ(alone.quality().largest_ratio, together.quality().largest_ratio) << name;
+    }
+  }
 }
 
 TEST(Estimate, SaysNothingWhereThereIsNoError) {

@@ -2,6 +2,7 @@
 
 #include <twrench/motion/trajectory.h>
 
+#include <span>
 #include <vector>
 
 namespace twrench::study {
@@ -27,7 +28,10 @@ class EstimateCheck {
 
   /// Adds the next step. Throws as local_error() does, and OutOfRange about "error" unless that of
   /// the step is finite and not negative.
-  void visit(const motion::AcceptedStep& step);
+  void visit(const motion::AcceptedStep& step) { visit({&step, 1}); }
+  /// Adds the next steps, at a fraction of the cost and with the same result. Throws as the other
+  /// overload does, before any is added.
+  void visit(std::span<const motion::AcceptedStep> steps);
   /// Returns the quality over the steps so far.
   EstimateQuality quality() const;
 

@@ -66,7 +66,8 @@ struct StudyRun {
   std::int64_t steps = 0;
   /// Evaluations of omega.
   std::int64_t evaluations = 0;
-  /// CPU time in s for computing the sample at the end.
+  /// CPU time in s for computing the sample at the end. That of a long run is extrapolated from the
+  /// evaluations of its first milliseconds.
   double cpu_seconds = 0.0;
   /// Quality of the error estimate of an embedded pair.
   std::optional<EstimateQuality> estimate;
