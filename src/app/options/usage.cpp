@@ -97,9 +97,11 @@ void refuse_meaningless_values(CLI::App& app) {
       const std::string name = option->get_name();
       if (name == "--title") continue;
       const bool takes_value = option->get_expected_max() > 0 || !option->get_fnames().empty();
-      option->check([name, takes_value](const std::string& value) -> std::string {
-        if (value.empty())
-          throw InvalidArgument(name, "its value is empty", "give a value, or omit the option");
+      const char* remedy = !option->get_positional() ? "give a value, or omit the option"
+                           : option->get_required()  ? "give a value"
+                                                     : "give a value, or omit the argument";
+      option->check([name, takes_value, remedy](const std::string& value) -> std::string {
+        if (value.empty()) throw InvalidArgument(name, "its value is empty", remedy);
         if (!takes_value && value != "true" && value != "false")
           throw InvalidArgument(name, fmt::format("it takes no value, but has '{}'", value),
                                 fmt::format("write {} alone", name));
