@@ -27,66 +27,94 @@ int exponent_of(std::string_view text) {
   return read.ec == std::errc{} ? std::clamp(exponent, -9999, 9999) : beyond;
 }
 
-/// The digits * 10^-decimals minus `value`, the nearest double. Each product is split into two
-/// doubles without rounding, because the difference has few digits left.
-double rest_of(std::uint64_t digits, int decimals, double value) {
+/// The digits of a number, as they are written without its sign.
+struct Decimal {
+  std::uint64_t digits = 0;  ///< modulo 2^64
+  int decimals = 0, significant = 0;
+  bool is_plain = false;  ///< the text has only digits and at most one point
+};
+
+Decimal read_digits(std::string_view text) {
+  Decimal decimal;
+  std::size_t at = 0;
+  const auto take_digits = [&] {
+    const std::size_t begin = at;
+    for (; at < text.size() && is_digit(text[at]); ++at) {
+      decimal.digits = 10 * decimal.digits + static_cast<std::uint64_t>(text[at] - '0');
+    }
+    return static_cast<int>(at - begin);
+  };
+  const int whole = take_digits();
+  if (at < text.size() && text[at] == '.') {
+    ++at;
+    decimal.decimals = take_digits();
+  }
+  int zeros = 0;  // before the first nonzero digit
+  for (std::size_t i = 0; i < at && (text[i] == '0' || text[i] == '.'); ++i) {
+    zeros += text[i] == '0' ? 1 : 0;
+  }
+  decimal.significant = whole + decimal.decimals - zeros;
+  decimal.is_plain = at == text.size() && whole + decimal.decimals > 0;
+  decimal.decimals -= exponent_of(text.substr(at));
+  return decimal;
+}
+
+/// A number that is the sum of two doubles.
+struct Sum {
+  double high, low;
+};
+
+/// digits * 10^-decimals for up to 22 decimals, before or behind the point, with twice the digits
+/// of a double: the error of a product or quotient of two doubles is a double, too.
+Sum scaled(std::uint64_t digits, int decimals) {
   static const std::array<double, 23> powers = [] {
     std::array<double, 23> list{1};
     for (std::size_t i = 1; i < list.size(); ++i) list[i] = 10 * list[i - 1];  // exact up to 10^22
     return list;
   }();
-  if (std::abs(decimals) > 22) return 0;
   const auto high = static_cast<double>(digits);
   const auto low =
       static_cast<double>(static_cast<std::int64_t>(digits - static_cast<std::uint64_t>(high)));
   const double power = powers[static_cast<std::size_t>(std::abs(decimals))];
-  const double factor = decimals < 0 ? high : value;
-  const double product = factor * power, error = std::fma(factor, power, -product);
-  if (decimals < 0) return (product - value) + (error + low * power);
-  return ((high - product) - error + low) / power;
+  const double scaled = decimals < 0 ? high * power : high / power;
+  if (decimals < 0) return {scaled, std::fma(high, power, -scaled) + low * power};
+  return {scaled, (std::fma(-scaled, power, high) + low) / power};
 }
 
-/// Counts the digits of a text that is a number, and sets the rest.
-void count_digits(std::string_view text, Number& number) {
-  int decimals = 0, significant = 0;
-  std::uint64_t digits = 0;
-  bool behind_point = false;
-  std::size_t i = text.starts_with('-') ? 1 : 0;
-  for (; i < text.size() && is_digit_or_point(text[i]); ++i) {
-    if (text[i] == '.') {
-      behind_point = true;
-      continue;
-    }
-    decimals += behind_point ? 1 : 0;
-    significant += significant > 0 || text[i] != '0' ? 1 : 0;
-    digits = 10 * digits + static_cast<std::uint64_t>(text[i] - '0');
-  }
-  number.decimals = decimals - exponent_of(text.substr(i));
-  number.significant = significant;
-  constexpr int most = 19;  // digits that 64 bits can hold
-  if (significant == 0 || significant > most) return;
-  const double rest = rest_of(digits, number.decimals, std::abs(number.value));
-  number.rest = text.starts_with('-') ? -rest : rest;
-}
-
-/// Whether a number out of the range of doubles is too small rather than too large.
-bool is_tiny(std::string_view text) {
-  Number digits;
-  count_digits(text, digits);
-  return digits.significant - digits.decimals < 0;
-}
-
-Reading read_plain(std::string_view text, Number& number) {
-  number.rest = 0;
+/// Sets the value by std::from_chars.
+Reading read_by_library(std::string_view text, const Decimal& decimal, Number& number) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number.value);
   if (stop != end || error == std::errc::invalid_argument) return Reading::text;
-  if (error == std::errc::result_out_of_range) {
-    if (!is_tiny(text)) return Reading::too_large;
-    number.value = 0;
-  }
-  if (std::isfinite(number.value)) count_digits(text, number);
+  if (error != std::errc::result_out_of_range) return Reading::number;
+  if (decimal.significant - decimal.decimals >= 0) return Reading::too_large;
+  number.value = 0;
   return Reading::number;
+}
+
+Reading read_plain(std::string_view text, Number& number) {
+  const bool is_negative = text.starts_with('-');
+  const Decimal decimal = read_digits(text.substr(is_negative ? 1 : 0));
+  number.decimals = decimal.decimals;
+  number.significant = decimal.significant;
+  number.rest = 0;
+  constexpr int most = 19;  // digits that 64 bits can hold
+  const bool is_short = decimal.significant <= most && std::abs(decimal.decimals) <= 22;
+  Sum sum{0, 0};
+  if (is_short) {
+    sum = scaled(decimal.digits, decimal.decimals);
+    if (is_negative) sum = {-sum.high, -sum.low};
+    number.value = sum.high + sum.low;
+    number.rest = (sum.high - number.value) + sum.low;
+    // Near the middle of two doubles, the sum may be rounded to the wrong one.
+    constexpr double uncertainty = 1e-12;
+    const bool is_nearest = number.value + (1 + uncertainty) * number.rest == number.value;
+    if (decimal.is_plain && is_nearest) return Reading::number;
+  }
+  const Reading reading = read_by_library(text, decimal, number);
+  const bool has_digits = is_short && std::isfinite(number.value);
+  number.rest = has_digits ? (sum.high - number.value) + sum.low : 0;
+  return reading;
 }
 
 }  // namespace

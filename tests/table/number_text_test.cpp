@@ -1,9 +1,14 @@
 #include "table/number_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <random>
+#include <string>
 
 namespace twrench::table {
 namespace {
@@ -25,6 +30,32 @@ TEST(NumberText, IsReadToTheLastBit) {
   EXPECT_EQ(read("2.2250738585072011e-308").value, 2.2250738585072011e-308);
   EXPECT_EQ(read("1.7976931348623157e308").value, std::numeric_limits<double>::max());
   EXPECT_TRUE(std::signbit(read("-0").value));
+}
+
+// Random digits, and decimals halfway between two doubles, which are rounded to the even one.
+TEST(NumberText, IsReadAsByTheStandardLibrary) {
+  std::mt19937_64 random(7);
+  const auto expect_same = [](const std::string& text) {
+    const double expected = std::strtod(text.c_str(), nullptr);
+    EXPECT_EQ(read(text).value, expected) << text;
+    EXPECT_EQ(read("-" + text).value, -expected) << text;
+  };
+  for (int i = 0; i < 200'000; ++i) {
+    std::string digits = std::to_string(random() >> random() % 64);
+    if (random() % 4 == 0) digits = std::string(random() % 8, '0') + digits;
+    if (random() % 8 != 0) digits.insert(random() % (digits.size() + 1), ".");
+    if (random() % 8 == 0) digits += fmt::format("e{}", static_cast<int>(random() % 60) - 30);
+    expect_same(digits);
+  }
+  for (std::uint64_t odd = (1ULL << 53U) + 1; odd < (1ULL << 53U) + 4000; odd += 2) {
+    expect_same(std::to_string(odd));         // halfway
+    expect_same(fmt::format("{}.001", odd));  // just above
+    expect_same(fmt::format("0.{}", odd));
+  }
+  for (const char* text : {"8.5", "0.000", "18446744073709551615", "9999999999999999999",
+                           "0.9999999999999999999", "9007199254740993e0", "9007199254740993e22"}) {
+    expect_same(text);
+  }
 }
 
 TEST(NumberText, MayHaveASignAndFortransExponent) {
