@@ -143,8 +143,9 @@ void RowDecoder::require_within_limits(std::span<const table::Number> numbers,
             "correct or remove the row");
   }
   constexpr double least = 1e-100;  // rad/s
+  if (rates == 0 || row.omega.squaredNorm() >= least * least) return;
   const double speed = row.omega.stableNorm();
-  if (rates == 0 || speed == 0 || speed >= least) return;
+  if (speed == 0 || speed >= least) return;
   throw table::BadTable(place_(),
                         fmt::format("the rates have the magnitude {:.3g} rad/s, but must be zero "
                                     "or at least {:.3g}",
@@ -176,9 +177,10 @@ table::BadTable RowDecoder::bad_attitude(const std::string& why, const std::stri
 
 void RowDecoder::decode_matrix(std::span<const table::Number> entries, Row& row) const {
   for (int i = 0; i < 9; ++i) row.X(i / 3, i % 3) = entries[static_cast<std::size_t>(i)].value;
-  const Eigen::Vector3d lengths = row.X.rowwise().stableNorm();
+  Eigen::Vector3d lengths = row.X.rowwise().norm();
   // Integrators that do not project drift; judge() measures that. Such lengths are no drift.
   if (!(lengths.minCoeff() > 1e-3 && lengths.maxCoeff() < 1e3)) {
+    lengths = row.X.rowwise().stableNorm();  // the squares may overflow
     throw bad_attitude(
         fmt::format("its rows have the lengths {:.3g}, {:.3g} and {:.3g} instead of 1", lengths[0],
                     lengths[1], lengths[2]),
