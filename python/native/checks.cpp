@@ -1,13 +1,16 @@
 #include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/enumeration.h"
@@ -23,6 +26,7 @@
 #include "plot/check_plot.h"
 #include "scene/limits.h"
 #include "system/file.h"
+#include "table/reader.h"
 
 namespace twrench::python {
 namespace {
@@ -74,14 +78,37 @@ void draw_check(const system::OutputFile& plot, const check::CheckResult& result
   plot::draw_plot(plot, plot::check_plot(curves));
 }
 
-/// Returns the reports on all files and those on each of them. `names` are the names of the files
-/// in the reports. `plot` may be null.
+/// The columns of a table by their names, of the same length.
+using Columns = std::vector<std::pair<std::string, py::array_t<double>>>;
+/// The path of a file, or the name of a table in memory and its columns.
+using Source = std::variant<std::string, std::pair<std::string, Columns>>;
+
+/// Returns a function that opens the source, for any thread.
+std::function<check::Recording()> opener_of(const Source& source) {
+  if (const auto* file = std::get_if<std::string>(&source)) {
+    return [file] { return check::Recording(fs::path(*file)); };
+  }
+  const auto& [name, arrays] = std::get<1>(source);
+  std::vector<table::Column> columns;
+  for (const auto& [key, numbers] : arrays) {
+    const auto step = numbers.strides(0) / static_cast<py::ssize_t>(sizeof(double));
+    columns.push_back({key, numbers.data(), step});
+  }
+  const auto rows = static_cast<std::size_t>(arrays.front().second.size());
+  return [&name = name, columns = std::move(columns), rows] {
+    return check::Recording(table::open_table(name, columns, rows));
+  };
+}
+
+/// Returns the reports on all recordings and those on each of them. `plot` may be null.
 std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
-    const std::vector<std::string>& files, const std::vector<std::string>& names,
-    const std::vector<double>& steps, const Eigen::Matrix3d& inertia,
-    const std::optional<Eigen::Vector3d>& omega, std::optional<double> omega_time, bool fit,
-    const OptionTexts& texts, bool inverse, const std::optional<Eigen::Vector4d>& offset,
-    const std::map<std::string, double>& bounds, const Output* plot) {
+    const std::vector<Source>& sources, const std::vector<double>& steps,
+    const Eigen::Matrix3d& inertia, const std::optional<Eigen::Vector3d>& omega,
+    std::optional<double> omega_time, bool fit, const OptionTexts& texts, bool inverse,
+    const std::optional<Eigen::Vector4d>& offset, const std::map<std::string, double>& bounds,
+    const Output* plot) {
+  std::vector<std::function<check::Recording()>> openers;
+  for (const Source& source : sources) openers.push_back(opener_of(source));
   if (plot != nullptr) plot::require_gnuplot(plot->file.format());
   for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
   check::Problem problem{.inertia = inertia};
@@ -93,8 +120,9 @@ std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
   const check::Bounds most = bounds_of(bounds);
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     problem.stop = &stop;
-    check::CheckResult result = check::check_files(files, steps, convention, problem, most);
-    for (std::size_t i = 0; i < names.size(); ++i) result.files[i].name = names[i];
+    check::CheckResult result = check::check_files(
+        openers.size(), [&](std::size_t i) { return openers[i](); }, steps, convention, problem,
+        most);
     if (plot != nullptr) draw_check(plot->file, result);
     const CheckReports of_all = reports_of(result);
     std::vector<CheckReports> of_each;

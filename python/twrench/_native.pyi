@@ -317,8 +317,7 @@ class CheckReports:
     def junit(self) -> str: ...
 
 def check(
-    files: list[str],
-    names: list[str],
+    sources: list[str | tuple[str, list[tuple[str, _Array]]]],
     steps: list[float],
     inertia: _Array,
     omega: _Array | None,

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import tempfile
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Iterator, Literal, Mapping, Protocol, Sequence, TypeVar, Union, overload
+from typing import Any, Literal, Mapping, Protocol, Sequence, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +13,7 @@ from numpy.typing import NDArray
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
-from .errors import Error, UsageError, argument_names, as_arguments
+from .errors import UsageError, argument_names, as_arguments
 from .motion import Motion
 from .names import Numbers, StrPath
 from .published import case as published_case
@@ -45,6 +43,8 @@ Recording = Union[StrPath, Motion, Mapping[str, Numbers], DataFrame, NDArray[Any
 R = TypeVar("R", bound=Recording)
 #: Several recordings.
 Recordings = Union["list[R]", "tuple[R, ...]"]
+#: The path of a file, or the name and the columns of a table.
+Source = Union[str, tuple[str, list[tuple[str, Array]]]]
 
 
 @dataclass(frozen=True)
@@ -284,21 +284,15 @@ def check(
     if not recordings:
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
-    tables = [
-        _table_of(name, recording, of_array) for name, recording in zip(names, recordings)
-    ]
-    with _files(names, recordings, tables) as files, argument_names():
+    sources = [_source_of(*named, of_array) for named in zip(names, recordings)]
+    with argument_names():
         figure = None
         if plot is not None:
             path = Path(_arguments.path("plot", plot))
-            inputs = [Path(file) for file in files]
+            inputs = [Path(source) for source in sources if isinstance(source, str)]
             figure = _native.Output("plot", path, inputs, bool(overwrite), "")
-        shown = [
-            file if table is None else name for name, table, file in zip(names, tables, files)
-        ]
         of_all, of_each = _native.check(
-            files,
-            shown,
+            sources,
             lengths,
             inertia,
             start,
@@ -341,30 +335,6 @@ def _step_sizes(steps: Numbers, count: int) -> list[float]:
     return sizes
 
 
-@contextmanager
-def _files(
-    names: list[str], recordings: Sequence[Any], tables: Sequence[NDArray[np.void] | None]
-) -> Iterator[list[str]]:
-    """The files of recordings. Those of tables are temporary, and error messages show the names."""
-    with tempfile.TemporaryDirectory(prefix="twrench-") as folder:
-        files = []
-        for i, (name, recording, table) in enumerate(zip(names, recordings, tables)):
-            if table is None:
-                files.append(_arguments.path(name, recording))
-            else:
-                files.append(str(Path(folder) / f"{i}.npy"))
-                _write_table(files[i], table)
-        try:
-            yield files
-        except Error as error:
-            message, remedy = error.message, error.remedy
-            for i, name in enumerate(names):
-                temporary = str(Path(folder) / f"{i}.npy")
-                message = message.replace(temporary, name)
-                remedy = remedy.replace(temporary, name)
-            raise type(error)(message, remedy) from None
-
-
 def _sequence_of_program(sequence: str) -> str:
     """The sequence of the program, whose axes turn with the body."""
     axes = _arguments.euler_sequence("sequence", sequence)
@@ -392,9 +362,8 @@ def _columns_text(columns: Mapping[str, str]) -> str:
     return ",".join(f'{ours}="{theirs}"' for ours, theirs in quoted.items())
 
 
-def _table_of(name: str, data: Any, of_array: list[Any] | None) -> NDArray[np.void] | None:
-    """The columns of a recording as a structured array of NumPy; None for a file. `of_array` are the
-    names of an array's columns."""
+def _source_of(name: str, data: Any, of_array: list[Any] | None) -> Source:
+    """A path, or the name and the columns of a table. `of_array` are the names of an array's columns."""
     is_array = isinstance(data, np.ndarray) and data.dtype.names is None
     if of_array is not None and not is_array:
         raise UsageError(
@@ -402,16 +371,24 @@ def _table_of(name: str, data: Any, of_array: list[Any] | None) -> NDArray[np.vo
             f"not {_arguments.brief(of_array)}"
         )
     if is_array:
-        return _structured(name, _columns_of_array(name, data, of_array))
-    if isinstance(data, np.ndarray):
-        return _structured(name, _columns_of_mapping(name, {key: data[key] for key in data.dtype.names}))
-    if isinstance(data, Mapping):
-        return _structured(name, _columns_of_mapping(name, data))
-    if isinstance(data, Motion):
-        return _structured(name, _columns_of_motion(name, data))
-    if hasattr(data, "columns"):
-        return _structured(name, _columns_of_frame(data))
-    return None
+        columns = _columns_of_array(name, data, of_array)
+    elif isinstance(data, np.ndarray):
+        columns = _columns_of_mapping(name, {key: data[key] for key in data.dtype.names})
+    elif isinstance(data, Mapping):
+        columns = _columns_of_mapping(name, data)
+    elif isinstance(data, Motion):
+        columns = _columns_of_motion(name, data)
+    elif hasattr(data, "columns"):
+        columns = _columns_of_frame(name, data)
+    else:
+        return _arguments.path(name, data)
+    if not columns:
+        raise UsageError(f"{name}: must have columns")
+    if "" in columns:
+        raise UsageError(f"{name}: has a column without a name")
+    if len({len(column) for column in columns.values()}) != 1:
+        raise UsageError(f"{name}: must have columns of the same length")
+    return name, list(columns.items())
 
 
 def _columns_of_motion(name: str, motion: Motion) -> dict[str, Array]:
@@ -449,34 +426,16 @@ def _columns_of_array(name: str, data: Any, names: list[Any] | None) -> dict[str
     return {_arguments.text("columns", key): numbers[:, i] for i, key in enumerate(names)}
 
 
-def _columns_of_frame(data: Any) -> dict[str, Array]:
+def _columns_of_frame(name: str, data: Any) -> dict[str, Array]:
     """The columns of numbers. Those that the check does not use may have any values."""
-    columns = {str(label): np.asarray(data[label]) for label in data.columns}
+    columns = {
+        _arguments.text(name, str(label)): np.asarray(data[label]) for label in data.columns
+    }
     return {
-        label: np.asarray(column, dtype=np.float64)
+        label: np.array(column, dtype=np.float64)
         for label, column in columns.items()
         if column.dtype.kind in "fiu" and column.ndim == 1
     }
-
-
-def _structured(name: str, columns: dict[str, Array]) -> NDArray[np.void]:
-    if not columns:
-        raise UsageError(f"{name}: must have columns")
-    if "" in columns:
-        raise UsageError(f"{name}: has a column without a name")
-    lengths = {len(column) for column in columns.values()}
-    if len(lengths) != 1:
-        raise UsageError(f"{name}: must have columns of the same length")
-    table = np.empty(lengths.pop(), dtype=[(key, np.float64) for key in columns])
-    for key, column in columns.items():
-        table[key] = column
-    return table
-
-
-def _write_table(path: str, table: NDArray[np.void]) -> None:
-    write: Any = np.lib.format.write_array  # which some versions of NumPy leave untyped
-    with open(path, "wb") as file:
-        write(file, table, version=(3, 0))  # the version that allows all names of columns
 
 
 def _result(reports: _native.CheckReports) -> Check:

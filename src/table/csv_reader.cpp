@@ -36,7 +36,9 @@ void CsvReader::read_header(const Sample& sample) {
   first_line_ = sample.lines[header.first_row].number;
 }
 
-void CsvReader::select(std::span<const std::size_t> columns) {
+void CsvReader::begin_pass(std::span<const std::size_t> columns) {
+  lines_ = LineReader(input_);
+  selected_.clear();
   for (std::size_t i = 0; i < columns.size(); ++i) selected_.push_back({columns[i], i});
   std::ranges::sort(selected_, {}, &Selected::column);
 }

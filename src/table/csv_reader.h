@@ -19,7 +19,7 @@ class CsvReader : public Reader {
  public:
   explicit CsvReader(Input input);
 
-  void select(std::span<const std::size_t> columns) override;
+  void begin_pass(std::span<const std::size_t> columns) override;
   bool next(std::span<Number> numbers) override;
   std::string place() const override;
 

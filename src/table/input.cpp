@@ -1,6 +1,7 @@
 #include "table/input.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -57,7 +58,21 @@ std::size_t Input::read(std::uint64_t offset, char* to, std::size_t length) cons
     if (got == 0) break;
     done += static_cast<std::size_t>(got);
   }
+  if (done < length) require_unchanged();
   return done;
+}
+
+/// A file that is still written may end within a number, and each pass would read other rows.
+void Input::require_unchanged() const {
+  struct stat status {};
+  if (::fstat(file_.get(), &status) != 0) {
+    throw system::file_error(cannot_read_input(name_), errno, system::Access::read);
+  }
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size == size_) return;
+  throw system::FileError(
+      name_, fmt::format("it became {} while it was read", size < size_ ? "shorter" : "longer"),
+      "wait until the program that writes it has ended, or read a copy of it");
 }
 
 std::string_view Window::at(std::uint64_t offset, std::size_t length) {

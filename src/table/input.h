@@ -25,10 +25,12 @@ class Input {
   std::uint64_t size() const { return size_; }
 
   /// Copies up to `length` bytes from `offset` on, and returns how many: fewer only at the end.
-  /// Throws system::FileError.
+  /// Throws system::FileError if the file cannot be read, or its size has changed by the end.
   std::size_t read(std::uint64_t offset, char* to, std::size_t length) const;
 
  private:
+  void require_unchanged() const;
+
   std::string name_;
   std::uint64_t size_ = 0;
   system::Descriptor file_;

@@ -16,12 +16,11 @@ JsonReader::JsonReader(Input input) : input_(std::move(input)), cursor_(input_) 
   find_rows();
   if (!next_row()) throw BadTable(header_.file, "it has no rows");
   header_.names = row_.names;
-  cursor_ = JsonCursor(input_);
-  find_rows();
 }
 
 /// Moves to the first row.
 void JsonReader::find_rows() {
+  cursor_ = JsonCursor(input_);
   at_first_ = true;
   if (cursor_.take_if('[')) {
     layout_ = Layout::array;
@@ -73,7 +72,8 @@ void JsonReader::finish() {
                           "there is more text after the end of the JSON value");
 }
 
-void JsonReader::select(std::span<const std::size_t> columns) {
+void JsonReader::begin_pass(std::span<const std::size_t> columns) {
+  find_rows();
   selected_.assign(columns.begin(), columns.end());
 }
 

@@ -19,7 +19,7 @@ class JsonReader : public Reader {
  public:
   explicit JsonReader(Input input);
 
-  void select(std::span<const std::size_t> columns) override;
+  void begin_pass(std::span<const std::size_t> columns) override;
   bool next(std::span<Number> numbers) override;
   std::string place() const override { return cursor_.place(); }
 

@@ -70,7 +70,10 @@ NpyReader::NpyReader(Input input) : input_(std::move(input)), layout_(read_npy_h
   std::ranges::transform(layout_.columns, std::back_inserter(header_.names), &NpyColumn::name);
 }
 
-void NpyReader::select(std::span<const std::size_t> columns) {
+void NpyReader::begin_pass(std::span<const std::size_t> columns) {
+  row_ = 0;
+  selected_.clear();
+  windows_.clear();
   for (const std::size_t index : columns) {
     const NpyColumn& column = layout_.columns[index];
     const auto decoder = all_decoders().find(column.type);
@@ -96,9 +99,6 @@ bool NpyReader::next(std::span<Number> numbers) {
     const Selected& selected = selected_[i];
     const std::uint64_t offset = selected.column.begin + row_ * selected.column.step;
     const std::string_view bytes = windows_[selected.window].at(offset, selected.size);
-    if (bytes.size() < selected.size) {
-      throw system::FileError(header_.file, "it became shorter while it was read");
-    }
     numbers[i] = selected.decode(bytes.data());
   }
   ++row_;

@@ -17,7 +17,7 @@ class NpyReader : public Reader {
  public:
   explicit NpyReader(Input input);
 
-  void select(std::span<const std::size_t> columns) override;
+  void begin_pass(std::span<const std::size_t> columns) override;
   bool next(std::span<Number> numbers) override;
   std::string place() const override;
 

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "system/error.h"
 #include "system/file_kind.h"
 #include "table/csv_reader.h"
+#include "table/error.h"
 #include "table/input.h"
 #include "table/json_reader.h"
 #include "table/line_reader.h"
@@ -77,9 +79,42 @@ std::unique_ptr<Reader> open_format(Input input) {
   return std::make_unique<CsvReader>(std::move(input));
 }
 
-std::unique_ptr<Reader> open(Input input) {
+/// The rows of columns in memory.
+class ArrayReader : public Reader {
+ public:
+  ArrayReader(const std::string& name, std::vector<Column> columns, std::size_t rows)
+      : columns_(std::move(columns)), rows_(rows) {
+    header_.file = name;
+    if (rows_ == 0) throw BadTable(name, "it has no rows");
+    std::ranges::transform(columns_, std::back_inserter(header_.names), &Column::name);
+  }
+
+  void begin_pass(std::span<const std::size_t> columns) override {
+    row_ = 0;
+    selected_.assign(columns.begin(), columns.end());
+  }
+
+  bool next(std::span<Number> numbers) override {
+    if (row_ == rows_) return false;
+    for (std::size_t i = 0; i < selected_.size(); ++i) {
+      const Column& column = columns_[selected_[i]];
+      numbers[i] = Number{.value = column.first[static_cast<std::ptrdiff_t>(row_) * column.step]};
+    }
+    ++row_;
+    return true;
+  }
+
+  std::string place() const override { return fmt::format("{}: row {}", header_.file, row_); }
+
+ private:
+  std::vector<Column> columns_;
+  std::size_t rows_, row_ = 0;  ///< all, and those that were read
+  std::vector<std::size_t> selected_;
+};
+
+/// Returns the reader if its table has columns, but not too many.
+std::unique_ptr<Reader> with_columns(std::unique_ptr<Reader> reader) {
   constexpr std::size_t most_columns = 16384;  // as many as the usual spreadsheets have
-  auto reader = open_format(std::move(input));
   const Header& header = reader->header();
   if (header.names.empty()) throw system::FileError(header.file, "its first row is empty");
   if (header.names.size() <= most_columns) return reader;
@@ -89,10 +124,17 @@ std::unique_ptr<Reader> open(Input input) {
 
 }  // namespace
 
-std::unique_ptr<Reader> open_table(const std::filesystem::path& path) { return open(Input(path)); }
+std::unique_ptr<Reader> open_table(const std::filesystem::path& path) {
+  return with_columns(open_format(Input(path)));
+}
 
 std::unique_ptr<Reader> open_table(const std::string& name, std::string_view bytes) {
-  return open(Input(name, bytes));
+  return with_columns(open_format(Input(name, bytes)));
+}
+
+std::unique_ptr<Reader> open_table(const std::string& name, std::vector<Column> columns,
+                                   std::size_t rows) {
+  return with_columns(std::make_unique<ArrayReader>(name, std::move(columns), rows));
 }
 
 }  // namespace twrench::table

@@ -30,7 +30,15 @@ struct Number {
   int significant = all_digits;  ///< digits from the first nonzero one; 0 for zero
 };
 
-/// One pass over the rows of a table, in memory that does not grow with the file.
+/// A column of numbers in memory.
+struct Column {
+  std::string name;
+  const double* first;  ///< the number of the first row
+  std::ptrdiff_t step;  ///< from the number of one row to that of the next, in doubles
+};
+
+/// The rows of a table, in memory that does not grow with the file. It is opened once and may be
+/// read several times.
 class Reader {
  public:
   virtual ~Reader() = default;
@@ -39,13 +47,14 @@ class Reader {
 
   const Header& header() const { return header_; }
 
-  /// Selects the columns that next() returns, by their indices in the header and in this order; a
-  /// column may occur twice. Other columns are not converted. Call it once, before next().
-  virtual void select(std::span<const std::size_t> columns) = 0;
+  /// Begins a pass over the rows: goes to the first one, and selects the columns that next()
+  /// returns, by their indices in the header and in this order; a column may occur twice. Other
+  /// columns are not converted. Throws BadTable if a column cannot have numbers.
+  virtual void begin_pass(std::span<const std::size_t> columns) = 0;
 
   /// Reads the next row: as many numbers as columns were selected. Returns false at the end. Throws
   /// BadTable for a cell that is not a number in the range of doubles, and system::FileError if the
-  /// file cannot be read or is not a table from here on.
+  /// file cannot be read, is not a table from here on, or has changed since it was opened.
   virtual bool next(std::span<Number> numbers) = 0;
 
   /// Location of the row read last: "run.csv:17", or "run.npy: row 16" in a file without lines.
@@ -63,5 +72,9 @@ std::unique_ptr<Reader> open_table(const std::filesystem::path& path);
 
 /// Does the same for the bytes of a file, which must outlive the reader; messages call it `name`.
 std::unique_ptr<Reader> open_table(const std::string& name, std::string_view bytes);
+
+/// Does the same for columns in memory with `rows` numbers each, which must outlive the reader.
+std::unique_ptr<Reader> open_table(const std::string& name, std::vector<Column> columns,
+                                   std::size_t rows);
 
 }  // namespace twrench::table

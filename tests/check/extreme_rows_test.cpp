@@ -27,7 +27,8 @@ std::string report_of(const std::string& csv, const Problem& problem) {
   const std::filesystem::path file = folder / "run.csv";
   system::write_file_atomically(file, csv);
   try {
-    const CheckResult result = check_files({file.string()}, {}, {}, problem, {});
+    const CheckResult result =
+        check_files(1, [&](std::size_t) { return Recording(file); }, {}, {}, problem, {});
     return check_text(result) + check_json(result) + check_junit(result);
   } catch (const Error& error) {
     return std::string("error: ") + error.what();

@@ -284,8 +284,8 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
 
 std::string fault_of_verdict(const RandomRecording& recording,
                              const std::filesystem::path& folder) try {
-  const std::filesystem::path file = folder / "recording.csv";
-  system::write_file_atomically(file, recording.text);
+  system::write_file_atomically(folder / "recording.csv", recording.text);
+  const Recording file(folder / "recording.csv");
   const Judgement as_read = judge(file, recording.told, recording.problem);
   if (as_read.within_noise) return {};
   const Alternatives found = better_readings(file, recording.problem, as_read);

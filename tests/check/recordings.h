@@ -86,7 +86,7 @@ inline Judgement judged(const std::vector<Row>& rows, Parts parts, const Problem
                         int decimals = -1) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "rows.csv", csv_of(rows, parts, decimals));
-  return judge(folder / "rows.csv", own_names(parts), problem);
+  return judge(Recording(folder / "rows.csv"), own_names(parts), problem);
 }
 
 inline double in_degrees(double angle) { return angle * 180 / std::numbers::pi; }

@@ -237,11 +237,12 @@ VerdictOnLaw verdict_on(const WrongSimulation& simulation,
     for (const std::string& name : names_of(kind)) told.columns[name] = name;
   }
   const Problem problem{.inertia = simulation.inertia};
-  const Judgement as_read = judge(file, told, problem);
+  const Recording recording(file);
+  const Judgement as_read = judge(recording, told, problem);
   if (as_read.within_noise) return {};
-  const Alternatives found = better_readings(file, problem, as_read);
+  const Alternatives found = better_readings(recording, problem, as_read);
   for (const Reading& reading : found.fitting) {
-    const Judgement again = judge(file, reading.convention, problem);
+    const Judgement again = judge(recording, reading.convention, problem);
     if (!again.within_noise && relative_error(again) > 1e-4)
       return {false,
               fmt::format("another reading is proposed, axes {}, offset {}, inverse {}",

@@ -159,7 +159,7 @@ TEST(CsvReader, ReadsRowsAcrossTheEndsOfItsBuffers) {
 TEST(CsvReader, CountsLinesForItsMessages) {
   const auto reader = open_table("run.csv", "# a\n\nt,w\n0,1\n# b\n2,3\n");
   const std::vector<std::size_t> columns{0, 1};
-  reader->select(columns);
+  reader->begin_pass(columns);
   std::vector<Number> numbers(2);
   reader->next(numbers);
   EXPECT_EQ(reader->place(), "run.csv:4");

@@ -99,7 +99,7 @@ TEST(JsonReader, ReadsRowsAcrossTheEndsOfItsBuffers) {
 TEST(JsonReader, TellsTheDigitsAsTheyAreWritten) {
   const auto reader = open_table("run", "[[0.50, 12, 1.5e-3]]");
   const std::vector<std::size_t> columns{0, 1, 2};
-  reader->select(columns);
+  reader->begin_pass(columns);
   std::vector<Number> numbers(3);
   ASSERT_TRUE(reader->next(numbers));
   EXPECT_EQ(numbers[0].decimals, 2);

@@ -24,7 +24,7 @@ inline Table read_table(std::string_view bytes, std::vector<std::size_t> columns
   if (columns.empty()) {
     for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
   }
-  reader->select(columns);
+  reader->begin_pass(columns);
   std::vector<Number> numbers(columns.size());
   while (reader->next(numbers)) {
     std::vector<double>& row = table.rows.emplace_back();

@@ -287,20 +287,20 @@ class Search {
 
 }  // namespace
 
-Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
+Alternatives alternatives(const Recording& recording, const Problem& problem,
                           const Convention& convention) {
-  return Search(read_row_sample(file, convention), problem, convention, Open::all).run();
+  return Search(read_row_sample(recording, convention), problem, convention, Open::all).run();
 }
 
 namespace {
 
 /// Rows that are spread over the whole file, or those of its beginning if the body turns by more
 /// than about a radian between the former.
-std::vector<Row> spread_rows(const std::filesystem::path& file, const Problem& problem,
+std::vector<Row> spread_rows(const Recording& recording, const Problem& problem,
                              const Convention& convention) {
   ThinnedRows thinned(most_fitted_rows);
   std::vector<Row> first;
-  RowReader reader(file, convention);
+  RowReader reader = recording.rows(convention);
   Row row;
   double speed = 0;
   while (reader.next(row)) {
@@ -318,25 +318,25 @@ RelativeNoise relative_noise(const Judgement& judgement) {
 }
 
 /// The wrong laws that the rows follow as they are read.
-WrongLaws laws_of(const std::filesystem::path& file, const Problem& problem,
+WrongLaws laws_of(const Recording& recording, const Problem& problem,
                   const Judgement& judgement) {
   constexpr std::size_t enough = 8;
   const bool is_at_rest = judgement.reference.body.omega().norm() == 0;
   if (!judgement.has_rates || judgement.rows < enough || is_at_rest) return {};
-  return wrong_laws(problem.inertia, spread_rows(file, problem, judgement.convention),
+  return wrong_laws(problem.inertia, spread_rows(recording, problem, judgement.convention),
                     judgement.has_attitude, relative_noise(judgement));
 }
 
 /// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
 /// leave more than a wrong law does, or more than so many changes of the reading must explain. Each
 /// change can explain a part of anything, so each further one must explain more.
-void remove_partial_fits(Alternatives& found, const std::filesystem::path& file,
+void remove_partial_fits(Alternatives& found, const Recording& recording,
                          const Problem& problem, const Judgement& judgement, double miss_of_law) {
   const double speed = judgement.reference.body.omega().norm();
   const auto is_partial = [&](const Reading& reading) {
     if (!has_rates(reading.convention) || speed == 0) return false;
     const RelativeNoise noise = relative_noise(judgement);
-    const double miss = misses(problem.inertia, spread_rows(file, problem, reading.convention),
+    const double miss = misses(problem.inertia, spread_rows(recording, problem, reading.convention),
                                judgement.has_attitude, noise)
                             .worst();
     constexpr double far_worse = 10, of_methods = 1e-4;
@@ -371,7 +371,7 @@ bool is_one_usual_mistake(const WrongLaws& laws) {
 
 }  // namespace
 
-Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
+Alternatives better_readings(const Recording& recording, const Problem& problem,
                              const Judgement& judgement) {
   const auto miss = judgement.misfit.worst();
   constexpr double good = 1e-4, far_better = 1e-2, another = 0.1;
@@ -380,19 +380,19 @@ Alternatives better_readings(const std::filesystem::path& file, const Problem& p
   const bool is_of_another_start =
       problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
   if (*miss < good && !is_of_another_start) return {};
-  const WrongLaws laws = laws_of(file, problem, judgement);
+  const WrongLaws laws = laws_of(recording, problem, judgement);
   const bool is_usual = is_one_usual_mistake(laws);
   // Rates alone are those of a reversed gyroscopic term in a reading with mirrored axes, too.
   if (is_usual && judgement.has_attitude) return {.laws = laws};
   const bool rates_follow = judgement.has_rates && judgement.has_attitude && !is_of_another_start &&
                             judgement.misfit.rates && laws.rates_miss < good;
-  Alternatives found = Search(read_row_sample(file, judgement.convention), problem,
+  Alternatives found = Search(read_row_sample(recording, judgement.convention), problem,
                               judgement.convention, rates_follow ? Open::attitude : Open::all)
                            .run();
   const bool is_better =
       !found.fitting.empty() && *found.fitting.front().misfit.worst() < far_better * *miss;
   if (judgement.misfit.fits() && !is_of_another_start && !is_better) found = {};
-  remove_partial_fits(found, file, problem, judgement, miss_of(laws));
+  remove_partial_fits(found, recording, problem, judgement, miss_of(laws));
   // A reading that explains everything is simpler than a fitted number, or than two mistakes.
   if (found.fitting.empty() || is_usual) found.laws = laws;
   return found;

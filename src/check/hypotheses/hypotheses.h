@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct Alternatives {
 /// component of the quaternion; in other axes of the body, left-handed ones included; with the
 /// attitude of a part that is fixed to the body. Tries each change alone and with the others.
 /// Throws as RowReader does.
-Alternatives alternatives(const std::filesystem::path& file, const Problem& problem,
+Alternatives alternatives(const Recording& recording, const Problem& problem,
                           const Convention& convention);
 
 /// Does the same for a judged file that does not follow the motion, and tries wrong laws. A reading
@@ -37,7 +36,7 @@ Alternatives alternatives(const std::filesystem::path& file, const Problem& prob
 /// rates follow the motion as they are read, only other readings of the attitude are tried. If the
 /// file follows the motion roughly, because of errors or because the moments are nearly the same,
 /// other readings must fit far better.
-Alternatives better_readings(const std::filesystem::path& file, const Problem& problem,
+Alternatives better_readings(const Recording& recording, const Problem& problem,
                              const Judgement& judgement);
 
 }  // namespace twrench::check

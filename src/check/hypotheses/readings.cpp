@@ -8,13 +8,13 @@
 
 namespace twrench::check {
 
-std::vector<Reading> readings(const std::filesystem::path& file, const Eigen::Matrix3d& inertia,
+std::vector<Reading> readings(const Recording& recording, const Eigen::Matrix3d& inertia,
                               std::span<const Convention> conventions) {
   std::vector<Reading> all;
   for (const Convention& convention : conventions) {
     try {
       const bool has_attitude = attitude_form(convention) != AttitudeForm::none;
-      all.push_back({convention, misfit(inertia, informative_rows(file, convention),
+      all.push_back({convention, misfit(inertia, informative_rows(recording, convention),
                                         has_rates(convention), has_attitude)});
     } catch (const table::BadTable&) {
       const double infinite = std::numeric_limits<double>::infinity();

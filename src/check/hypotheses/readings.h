@@ -1,11 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "check/conventions/convention.h"
+#include "check/reading/recording.h"
 #include "check/verdict/physics.h"
 
 namespace twrench::check {
@@ -16,9 +16,9 @@ struct Reading {
   Misfit misfit;
 };
 
-/// Judges each convention by the first rows of the file. Throws as RowReader does, except that a
+/// Judges each convention by the first rows. Throws as RowReader does, except that a
 /// convention that does not allow the rows gets an infinite misfit.
-std::vector<Reading> readings(const std::filesystem::path& file, const Eigen::Matrix3d& inertia,
+std::vector<Reading> readings(const Recording& recording, const Eigen::Matrix3d& inertia,
                               std::span<const Convention> conventions);
 
 /// Returns the reading that fits if all others fit far worse; otherwise nothing.

@@ -10,7 +10,7 @@
 namespace twrench::check {
 namespace {
 
-constexpr std::size_t enough = 128, of_the_first = 4096;
+constexpr std::size_t enough = 128;
 
 /// The stride between the rows that are kept, a power of two.
 std::size_t stride_of(const RowSample& numbers, const Convention& convention) {
@@ -28,21 +28,14 @@ std::size_t stride_of(const RowSample& numbers, const Convention& convention) {
 
 }  // namespace
 
-RowSample read_row_sample(const std::filesystem::path& file, const Convention& convention) {
-  const auto table = table::open_table(file);
-  const RowDecoder decoder(table->header(), convention, [] { return std::string(); });
-  table->select(decoder.columns());
-  RowSample numbers{table->header(), decoder.columns(), {}, {}};
-  std::vector<table::Number> row(decoder.columns().size());
-  while (numbers.rows.size() < of_the_first && table->next(row)) {
-    numbers.rows.push_back(row);
-    numbers.places.push_back(table->place());
-  }
+RowSample read_row_sample(const Recording& recording, const Convention& convention) {
+  const RowDecoder decoder(recording.header(), convention, [] { return std::string(); });
+  const RowSample& numbers = recording.first_rows(decoder.columns());
   const std::size_t stride = stride_of(numbers, convention);
   RowSample kept{numbers.header, numbers.columns, {}, {}};
   for (std::size_t i = 0; i < numbers.rows.size() && kept.rows.size() < enough; i += stride) {
-    kept.rows.push_back(std::move(numbers.rows[i]));
-    kept.places.push_back(std::move(numbers.places[i]));
+    kept.rows.push_back(numbers.rows[i]);
+    kept.places.push_back(numbers.places[i]);
   }
   return kept;
 }
@@ -65,8 +58,8 @@ std::vector<Row> decoded(const RowSample& numbers, const Convention& convention)
   return rows;
 }
 
-std::vector<Row> informative_rows(const std::filesystem::path& file, const Convention& convention) {
-  return decoded(read_row_sample(file, convention), convention);
+std::vector<Row> informative_rows(const Recording& recording, const Convention& convention) {
+  return decoded(read_row_sample(recording, convention), convention);
 }
 
 }  // namespace twrench::check

@@ -12,11 +12,11 @@
 namespace twrench::check {
 
 struct RowReader::State {
-  State(std::unique_ptr<table::Reader> opened, const Convention& meant);
+  State(std::shared_ptr<table::Reader> opened, const Convention& meant);
 
   void require_later(const Row& row) const;
 
-  std::unique_ptr<table::Reader> reader;
+  std::shared_ptr<table::Reader> reader;
   Convention convention;
   RowDecoder decoder;
   std::vector<table::Number> numbers;
@@ -27,12 +27,12 @@ struct RowReader::State {
   Digits rate_digits, attitude_digits;
 };
 
-RowReader::State::State(std::unique_ptr<table::Reader> opened, const Convention& meant)
+RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention& meant)
     : reader(std::move(opened)),
       convention(meant),
       decoder(reader->header(), convention, [this] { return reader->place(); }),
       numbers(decoder.columns().size()) {
-  reader->select(decoder.columns());
+  reader->begin_pass(decoder.columns());
 }
 
 void RowReader::State::require_later(const Row& row) const {
@@ -58,10 +58,7 @@ void RowReader::State::require_later(const Row& row) const {
                  : "sort the rows by time, or give one run a file");
 }
 
-RowReader::RowReader(const std::filesystem::path& file, const Convention& convention)
-    : RowReader(table::open_table(file), convention) {}
-
-RowReader::RowReader(std::unique_ptr<table::Reader> table, const Convention& convention)
+RowReader::RowReader(std::shared_ptr<table::Reader> table, const Convention& convention)
     : state_(std::make_unique<State>(std::move(table), convention)) {}
 
 RowReader::~RowReader() = default;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -12,15 +11,13 @@
 
 namespace twrench::check {
 
-/// One pass over a recorded trajectory, in memory that does not grow with the file.
+/// One pass over the rows of a table, in memory that does not grow with it.
 class RowReader {
  public:
-  /// Opens the file. `convention` names all columns, as those of conventions() do. Throws what
-  /// table::open_table and conventions() throw, and InvalidArgument if rates in space axes come
-  /// without an attitude.
-  RowReader(const std::filesystem::path& file, const Convention& convention);
-  /// Reads a table that is already open.
-  RowReader(std::unique_ptr<table::Reader> table, const Convention& convention);
+  /// Begins the pass, which ends any other over the same table. `convention` names all columns, as
+  /// those of conventions() do. Throws what conventions() throws, and InvalidArgument if rates in
+  /// space axes come without an attitude.
+  RowReader(std::shared_ptr<table::Reader> table, const Convention& convention);
   ~RowReader();
   RowReader(RowReader&&) noexcept;
   RowReader& operator=(RowReader&&) noexcept;

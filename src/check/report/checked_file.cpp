@@ -44,11 +44,12 @@ std::vector<CheckBound> applied(const Bounds& given, const std::string& file,
 }
 
 /// The fit of the initial state, if the rows begin in another state than the given one.
-std::optional<Fit> other_start_of(const CheckedFile& file, Problem problem) try {
+std::optional<Fit> other_start_of(const Recording& recording, const CheckedFile& file,
+                                  Problem problem) try {
   if (verdict(file).finding != Finding::start) return std::nullopt;
   problem.omega.reset();
   problem.fit = true;
-  return judge(file.name, file.judgement.convention, problem).fit;
+  return judge(recording, file.judgement.convention, problem).fit;
 } catch (const CheckError&) {
   return std::nullopt;  // it is at rest
 }
@@ -86,13 +87,13 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
   return {};
 }
 
-CheckedFile check_file(const std::string& name, const Convention& given, const Problem& problem,
+CheckedFile check_file(Recording recording, const Convention& given, const Problem& problem,
                        const Bounds& bounds) {
-  const Convention convention = choose_convention(name, given, problem);
-  CheckedFile file{name, judge(name, convention, problem), {}, {}, {}, 0};
-  file.alternatives = better_readings(name, problem, file.judgement);
-  file.other_start = other_start_of(file, problem);
-  file.bounds = applied(bounds, name, file.judgement);
+  const Convention convention = choose_convention(recording, given, problem);
+  CheckedFile file{recording.name(), judge(recording, convention, problem), {}, {}, {}, 0};
+  file.alternatives = better_readings(recording, problem, file.judgement);
+  file.other_start = other_start_of(recording, file, problem);
+  file.bounds = applied(bounds, file.name, file.judgement);
   if (file.judgement.rows > 1) {
     file.step = file.judgement.duration / static_cast<double>(file.judgement.rows - 1);
   }
@@ -115,15 +116,16 @@ CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
 
 }  // namespace
 
-CheckResult check_files(const std::vector<std::string>& names, const std::vector<double>& steps,
-                        const Convention& given, const Problem& problem, const Bounds& bounds) {
-  if (!steps.empty() && steps.size() != names.size()) {
-    throw InvalidArgument(
-        "--steps", fmt::format("has {} step sizes for {} files", steps.size(), names.size()));
+CheckResult check_files(std::size_t count, const std::function<Recording(std::size_t)>& open,
+                        const std::vector<double>& steps, const Convention& given,
+                        const Problem& problem, const Bounds& bounds) {
+  if (!steps.empty() && steps.size() != count) {
+    throw InvalidArgument("--steps",
+                          fmt::format("has {} step sizes for {} files", steps.size(), count));
   }
   CheckResult result;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    result.files.push_back(check_file(names[i], given, problem, bounds));
+  for (std::size_t i = 0; i < count; ++i) {
+    result.files.push_back(check_file(open(i), given, problem, bounds));
     if (!steps.empty()) result.files.back().step = steps[i];
   }
   result.orders = orders_of(result.files, !steps.empty());

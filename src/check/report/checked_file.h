@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "check/conventions/convention.h"
+#include "check/reading/recording.h"
 #include "check/report/result.h"
 #include "check/verdict/problem.h"
 
@@ -17,12 +19,13 @@ struct Bounds {
   std::optional<double> energy_drift;    ///< relative
 };
 
-/// Judges files of one problem, and how their errors depend on their steps. `steps` has the step
-/// size of each file in s; if it is empty, the steps are the mean times between rows. `given` is
-/// the convention of the files as far as it is known. Throws as choose_convention() and judge() do,
-/// and InvalidArgument if a bound is for a quantity that a file does not have, or the number of
-/// steps is not that of the files.
-CheckResult check_files(const std::vector<std::string>& names, const std::vector<double>& steps,
-                        const Convention& given, const Problem& problem, const Bounds& bounds);
+/// Judges `count` recordings of one problem, and how their errors depend on their steps. `open`
+/// returns each of them; one is open at a time. `steps` has the step size of each in s; if it is
+/// empty, the steps are the mean times between rows. `given` is the convention of all as far as it
+/// is known. Throws as `open`, choose_convention() and judge() do, and InvalidArgument if a bound
+/// is for a quantity that a recording does not have, or the number of steps is not `count`.
+CheckResult check_files(std::size_t count, const std::function<Recording(std::size_t)>& open,
+                        const std::vector<double>& steps, const Convention& given,
+                        const Problem& problem, const Bounds& bounds);
 
 }  // namespace twrench::check

@@ -93,15 +93,15 @@ InvalidArgument ambiguous(const table::Header& header, const Convention& said,
 
 }  // namespace
 
-Convention choose_convention(const std::string& file, const Convention& given,
+Convention choose_convention(const Recording& recording, const Convention& given,
                              const Problem& problem) {
-  const table::Header header = table::open_table(file)->header();
+  const table::Header& header = recording.header();
   const std::vector<Convention> open = conventions(header, given);
   if (open.size() == 1) return open.front();
-  std::optional<Reading> fitting = only_fitting(readings(file, problem.inertia, open));
+  std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));
   // If none of them fits, a reading that no name suggests may do so.
   if (!fitting) {
-    const Alternatives other = alternatives(file, problem, open.front());
+    const Alternatives other = alternatives(recording, problem, open.front());
     // No option reverses the sign of a component.
     const bool is_option =
         other.fitting.size() == 1 && other.fitting.front().convention.negated.empty();

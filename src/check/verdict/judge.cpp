@@ -27,8 +27,9 @@ using Eigen::Vector3d;
 /// Large enough to be worth the start of several threads.
 constexpr std::size_t rows_per_block = 32768;
 
-template <typename Visit>
-void for_each_block(RowReader& reader, const std::atomic<bool>* stop, const Visit& visit) {
+/// `reader` is a RowReader, or a UnitWatch, which reads from one.
+template <typename Reader, typename Visit>
+void for_each_block(Reader& reader, const std::atomic<bool>* stop, const Visit& visit) {
   std::vector<Row> block(rows_per_block);
   for (std::size_t count = rows_per_block; count == rows_per_block;) {
     throw_if_stopped(stop);
@@ -38,90 +39,91 @@ void for_each_block(RowReader& reader, const std::atomic<bool>* stop, const Visi
   }
 }
 
-/// A file before it is judged.
-struct Recording {
-  const std::filesystem::path& file;
+/// A recording that is read in one convention.
+struct ReadRecording {
+  const Recording& recording;
   const Convention& convention;
-  bool has_rates, has_attitude;
+  bool has_rates = check::has_rates(convention);
+  bool has_attitude = attitude_form(convention) != AttitudeForm::none;
 
-  RowReader reader() const { return {file, convention}; }
+  RowReader reader() const { return recording.rows(convention); }
 };
 
 /// At most `count` rows from the beginning.
-std::vector<Row> first_rows(const Recording& recording, std::size_t count) {
-  RowReader reader = recording.reader();
+std::vector<Row> first_rows(const ReadRecording& read, std::size_t count) {
+  RowReader reader = read.reader();
   std::vector<Row> rows;
   Row row;
   while (rows.size() < count && reader.next(row)) rows.push_back(row);
   return rows;
 }
 
-Vector3d first_omega(const Recording& recording, const Problem& problem,
+Vector3d first_omega(const ReadRecording& read, const Problem& problem,
                      const std::vector<Row>& rows) {
   if (problem.omega) return *problem.omega;
-  if (recording.has_rates) return rows.front().omega;
+  if (read.has_rates) return rows.front().omega;
   // With a single row, fit() throws.
   if (problem.fit && rows.size() == 1) return Vector3d::Zero();
   if (problem.fit) return omega_between(problem.inertia, rows[0], rows[1]);
-  throw CheckError(recording.file.string(),
+  throw CheckError(read.recording.name(),
                    "has only attitudes, which do not determine the initial angular velocity",
                    CheckError::Reason::no_rates);
 }
 
 /// The time at which omega holds, in s since the first row.
-double start_of(const Recording& recording, const Problem& problem) {
+double start_of(const ReadRecording& read, const Problem& problem) {
   if (!problem.omega || !problem.omega_time) return 0;
-  RowReader reader = recording.reader();
+  RowReader reader = read.reader();
   Row row;
   reader.next(row);
   return *problem.omega_time - reader.first_time();
 }
 
-Fit fitted(const Recording& recording, const Problem& problem) {
+Fit fitted(const ReadRecording& read, const Problem& problem) {
   ThinnedRows thinned(most_fitted_rows);
-  RowReader reader = recording.reader();
+  RowReader reader = read.reader();
   for_each_block(reader, problem.stop, [&](std::span<const Row> rows) {
     for (const Row& row : rows) thinned.add(row);
   });
-  const std::vector<Row> first = first_rows(recording, 2);
-  Vector3d omega = first_omega(recording, problem, first);
+  const std::vector<Row> first = first_rows(read, 2);
+  Vector3d omega = first_omega(read, problem, first);
   if (problem.omega) {
-    omega = motion::ExactMotion({problem.inertia, omega}).at(-start_of(recording, problem)).omega;
+    omega = motion::ExactMotion({problem.inertia, omega}).at(-start_of(read, problem)).omega;
   }
-  return fit(problem.inertia, thinned.rows(), omega, recording.has_rates, recording.has_attitude,
+  return fit(problem.inertia, thinned.rows(), omega, read.has_rates, read.has_attitude,
              problem.stop);
 }
 
 /// The given initial state, with the frame of the first row.
-Reference given_reference(const Recording& recording, const Problem& problem) {
-  const std::vector<Row> first = first_rows(recording, 1);
-  const double start = start_of(recording, problem);
-  Reference reference{{problem.inertia, first_omega(recording, problem, first)}, start};
+Reference given_reference(const ReadRecording& read, const Problem& problem) {
+  const std::vector<Row> first = first_rows(read, 1);
+  const double start = start_of(read, problem);
+  Reference reference{{problem.inertia, first_omega(read, problem, first)}, start};
   const Matrix3d X = motion::ExactMotion(reference.body).at(-start).X;
   reference.frame = nearest_rotation(first.front().X) * X.transpose();
   return reference;
 }
 
 /// The mean of L in the file's space, from its own rates if it has any.
-Vector3d mean_momentum(const Recording& recording, const Reference& reference,
+Vector3d mean_momentum(const ReadRecording& read, const Reference& reference,
                        const std::atomic<bool>* stop) {
   const motion::ExactMotion exact(reference.body);
   ExactRows exact_rows;
   Vector3d sum = Vector3d::Zero();
-  RowReader reader = recording.reader();
+  RowReader reader = read.reader();
   for_each_block(reader, stop, [&](std::span<const Row> rows) {
     exact_rows.evaluate(exact, reference.start, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Vector3d omega = recording.has_rates ? rows[i].omega : exact_rows.omega(i);
+      const Vector3d omega = read.has_rates ? rows[i].omega : exact_rows.omega(i);
       sum += rows[i].X * (reference.body.inertia() * omega);
     }
   });
   return sum;
 }
 
-void turn_to_momentum(Reference& reference, const Recording& recording,
+void turn_to_momentum(Reference& reference, const ReadRecording& read,
                       const std::atomic<bool>* stop) {
-  const Vector3d mean = mean_momentum(recording, reference, stop);
+  const Vector3d mean = mean_momentum(read, reference, stop);
   const Vector3d L = reference.frame * reference.body.momentum();
   if (mean.norm() > 0 && L.norm() > 0)
     reference.frame = so3::rotation_between(L, mean).toRotationMatrix() * reference.frame;
@@ -249,7 +251,7 @@ void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm
 
 /// Draws the conclusions from the errors after a pass.
 void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording,
-                      const std::atomic<bool>* stop) {
+                      const UnitWatch& units) {
   add_limits(judgement, comparison);
   judgement.flips =
       paired(comparison.flips().finish(), exact_flips(judgement.reference, 0, judgement.duration));
@@ -271,39 +273,38 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
   judgement.within_noise = judgement.within_digits || are_noise(judgement);
   constexpr double suspicious = 1e-3;
   if (judgement.within_noise || relative_error(judgement) < suspicious) return;
-  require_one_unit(recording.file, recording.convention, judgement.reference.body.inertia(), stop);
-  judgement.misfit = misfit(judgement.reference.body.inertia(),
-                            informative_rows(recording.file, recording.convention),
-                            judgement.has_rates, judgement.has_attitude);
+  units.require_one_unit();
+  judgement.misfit =
+      misfit(judgement.reference.body.inertia(), informative_rows(recording, judgement.convention),
+             judgement.has_rates, judgement.has_attitude);
 }
 
 }  // namespace
 
-Judgement judge(const std::filesystem::path& file, const Convention& convention,
-                const Problem& problem) {
-  RowReader reader(file, convention);
-  const Recording recording{file, convention, reader.has_rates(),
-                            reader.attitude() != AttitudeForm::none};
+Judgement judge(const Recording& recording, const Convention& convention, const Problem& problem) {
+  const ReadRecording read{recording, convention};
   std::optional<Fit> fit;
-  if (problem.fit) fit = fitted(recording, problem);
-  Reference reference = fit ? fit->reference : given_reference(recording, problem);
-  if (problem.frame == FrameSource::momentum && recording.has_attitude) {
-    turn_to_momentum(reference, recording, problem.stop);
+  if (problem.fit) fit = fitted(read, problem);
+  Reference reference = fit ? fit->reference : given_reference(read, problem);
+  if (problem.frame == FrameSource::momentum && read.has_attitude) {
+    turn_to_momentum(reference, read, problem.stop);
   }
-  Comparison comparison(reference, recording.has_rates, recording.has_attitude);
-  for_each_block(reader, problem.stop, [&](std::span<const Row> rows) { comparison.add(rows); });
+  Comparison comparison(reference, read.has_rates, read.has_attitude);
+  RowReader reader = read.reader();
+  UnitWatch units(reader, problem.inertia);
+  for_each_block(units, problem.stop, [&](std::span<const Row> rows) { comparison.add(rows); });
   const std::size_t enough = problem.omega ? 1 : 3;
   const bool is_start_alone = comparison.rows() == 1 && reference.start == 0;
   if (comparison.rows() < enough || is_start_alone) {
-    throw CheckError(file.string(),
+    throw CheckError(recording.name(),
                      fmt::format("has {} {}, too few to determine a motion", comparison.rows(),
                                  comparison.rows() == 1 ? "row" : "rows"),
                      CheckError::Reason::one_row);
   }
 
   Judgement judgement{.convention = convention,
-                      .has_rates = recording.has_rates,
-                      .has_attitude = recording.has_attitude,
+                      .has_rates = read.has_rates,
+                      .has_attitude = read.has_attitude,
                       .first_time = reader.first_time(),
                       .reference = reference,
                       .is_start_given = problem.omega && !problem.fit,
@@ -315,7 +316,7 @@ Judgement judge(const std::filesystem::path& file, const Convention& convention,
   judgement.rate_resolution = reader.rate_resolution();
   judgement.attitude_resolution = reader.attitude_resolution();
   judgement.course = std::move(comparison.spans());
-  draw_conclusions(judgement, comparison, recording, problem.stop);
+  draw_conclusions(judgement, comparison, recording, units);
   return judgement;
 }
 

@@ -2,12 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "check/conventions/convention.h"
+#include "check/reading/recording.h"
 #include "check/reading/resolution.h"
 #include "check/verdict/comparison.h"
 #include "check/verdict/conditioning.h"
@@ -77,11 +77,10 @@ struct Judgement {
   Misfit misfit = {};
 };
 
-/// Compares a recorded trajectory with the exact motion, in memory that does not grow with the
-/// file. Throws as RowReader does, and CheckError if the initial state is not determined or cannot
-/// be fitted.
-Judgement judge(const std::filesystem::path& file, const Convention& convention,
-                const Problem& problem);
+/// Compares a recording with the exact motion, in memory that does not grow with its length. Throws
+/// as RowReader does, table::BadTable if a unit changes between two rows, and CheckError if the
+/// initial state is not determined or cannot be fitted.
+Judgement judge(const Recording& recording, const Convention& convention, const Problem& problem);
 
 /// Converts a time of a judgement to the file's clock, s.
 double clock_time(const Judgement& judgement, double t);

@@ -53,7 +53,7 @@ class QuaternionFile {
   /// The readings that fit if the file is read as w, x, y, z, space from body, rad/s of the body.
   std::vector<Reading> fitting(bool has_attitude = true,
                                const Problem& problem = tumbling_problem()) const {
-    return alternatives(path(), problem, told(has_attitude)).fitting;
+    return alternatives(Recording(path()), problem, told(has_attitude)).fitting;
   }
 
   static Convention told(bool has_attitude = true) {
@@ -207,8 +207,9 @@ TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
     system::write_file_atomically(folder / "rows.csv", csv_of(exact_rows(), Parts::both));
     const Problem problem{.inertia = told.asDiagonal()};
     for (const Parts parts : {Parts::rates, Parts::both}) {
-      const Judgement judgement = judge(folder / "rows.csv", own_names(parts), problem);
-      const Alternatives found = better_readings(folder / "rows.csv", problem, judgement);
+      const Recording recording(folder / "rows.csv");
+      const Judgement judgement = judge(recording, own_names(parts), problem);
+      const Alternatives found = better_readings(recording, problem, judgement);
       ASSERT_THAT(found.laws.of_rates, SizeIs(1)) << told.transpose();
       EXPECT_EQ(found.laws.of_rates[0].mistake, Mistake::moments);
       const Vector3d moments_found = found.laws.of_rates[0].law.inertia.diagonal();
@@ -221,10 +222,10 @@ TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
 /// The better readings of a file with the rates of these rows.
 Alternatives better_readings_of(const std::vector<Row>& rows) {
   const ScratchFolder folder;
-  const std::filesystem::path file = folder / "rows.csv";
-  system::write_file_atomically(file, csv_of(rows, Parts::rates));
-  return better_readings(file, tumbling_problem(),
-                         judge(file, own_names(Parts::rates), tumbling_problem()));
+  system::write_file_atomically(folder / "rows.csv", csv_of(rows, Parts::rates));
+  const Recording recording(folder / "rows.csv");
+  return better_readings(recording, tumbling_problem(),
+                         judge(recording, own_names(Parts::rates), tumbling_problem()));
 }
 
 // Rates of another law. The fit of the moments has no minimum there.
@@ -265,7 +266,8 @@ TEST(Alternatives, DoNotContradictTheFile) {
   system::write_file_atomically(folder / "file.csv", text);
   const auto open = conventions(table::open_table(folder / "file.csv")->header(), {});
   ASSERT_THAT(open, SizeIs(1));
-  EXPECT_THAT(alternatives(folder / "file.csv", tumbling_problem(), open[0]).fitting, IsEmpty());
+  EXPECT_THAT(alternatives(Recording(folder / "file.csv"), tumbling_problem(), open[0]).fitting,
+              IsEmpty());
 }
 
 }  // namespace

@@ -20,9 +20,10 @@ std::string refusal_of(const std::string& text) {
   const ScratchFolder folder;
   const std::filesystem::path file = folder / "run.csv";
   std::ofstream(file) << text;
-  const auto all = conventions(table::open_table(file)->header(), {});
+  const Recording recording(file);
+  const auto all = conventions(recording.header(), {});
   try {
-    informative_rows(file, all.front());
+    informative_rows(recording, all.front());
   } catch (const table::BadTable& error) {
     return error.what();
   }

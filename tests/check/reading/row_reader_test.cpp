@@ -346,11 +346,11 @@ TEST(RowReader, TellsHowManyDigitsTheFileHas) {
 /// Reads one of NASA's files (nasa/README.md) by the names of its columns.
 RowReader nasa_reader(const std::string& name) {
   const std::filesystem::path file = std::filesystem::path(TWRENCH_TESTS_DIR) / "check/nasa" / name;
-  const auto header = table::open_table(file)->header();
-  const auto all = conventions(header, with_sequence("zyx"));
+  auto table = table::open_table(file);
+  const auto all = conventions(table->header(), with_sequence("zyx"));
   EXPECT_THAT(all, SizeIs(1));
   EXPECT_EQ(all.front().columns.at("wx"), "bodyAngularRateWrtEi_deg_s_Roll");
-  return {file, all.front()};
+  return {std::move(table), all.front()};
 }
 
 TEST(RowReader, ReadsNasasFilesByTheirNames) {

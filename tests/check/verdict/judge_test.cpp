@@ -11,7 +11,6 @@
 
 #include "check/recordings.h"
 #include "check/verdict/error.h"
-#include "check/verdict/unit_change.h"
 #include "motion/reference.h"
 
 namespace twrench::check {
@@ -59,12 +58,6 @@ TEST(Judge, EndsIfItIsStopped) {
   Problem problem = tumbling_problem();
   problem.stop = &stop;
   EXPECT_THROW(judged(exact_rows(), Parts::both, problem), CheckError);
-  const ScratchFolder folder;
-  system::write_file_atomically(folder / "rows.csv", csv_of(exact_rows(), Parts::rates));
-  const Convention convention = own_names(Parts::rates);
-  EXPECT_THROW(require_one_unit(folder / "rows.csv", convention, problem.inertia, &stop),
-               CheckError);
-  EXPECT_NO_THROW(require_one_unit(folder / "rows.csv", convention, problem.inertia, nullptr));
 }
 
 // Late by 1e-3 s: the same polhode, later.
@@ -251,7 +244,8 @@ TEST(Judge, LetsRoundedEulerAnglesPass) {
   for (const char* name : {"yaw", "pitch", "roll"}) convention.columns[name] = name;
   convention.rate_unit = RateUnit::deg_s;
   convention.sequence = "zyx";
-  const Judgement judgement = judge(folder / "euler.csv", convention, tumbling_problem());
+  const Judgement judgement =
+      judge(Recording(folder / "euler.csv"), convention, tumbling_problem());
   EXPECT_TRUE(judgement.within_digits) << in_degrees(judgement.attitude->max);
   EXPECT_GT(in_degrees(judgement.attitude->max), 4e-4);
   EXPECT_FALSE(judgement.attitude_contradicts_rates);

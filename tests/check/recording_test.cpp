@@ -1,0 +1,109 @@
+#include "check/reading/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/hypotheses/hypotheses.h"
+#include "check/reading/open_conventions.h"
+#include "check/recordings.h"
+#include "check/report/choice.h"
+#include "table/error.h"
+
+namespace twrench::check {
+namespace {
+
+using testing::SizeIs;
+
+/// Counts the passes over a table.
+class CountedReader : public table::Reader {
+ public:
+  CountedReader(std::unique_ptr<table::Reader> table, int& passes)
+      : table_(std::move(table)), passes_(&passes) {
+    header_ = table_->header();
+  }
+
+  void begin_pass(std::span<const std::size_t> columns) override {
+    ++*passes_;
+    table_->begin_pass(columns);
+  }
+  bool next(std::span<table::Number> numbers) override { return table_->next(numbers); }
+  std::string place() const override { return table_->place(); }
+
+ private:
+  std::unique_ptr<table::Reader> table_;
+  int* passes_;
+};
+
+/// Rates and quaternions whose names leave the place of the scalar open.
+std::string quaternions() {
+  std::string text = "t,wx,wy,wz,q1,q2,q3,q4\n";
+  for (const Row& row : exact_rows()) {
+    const Eigen::Quaterniond q(row.X);
+    text += fmt::format("{:.12g},{},{},{},{},{},{},{}\n", row.t, row.omega[0], row.omega[1],
+                        row.omega[2], q.w(), q.x(), q.y(), q.z());
+  }
+  return text;
+}
+
+TEST(Recording, IsOpenedOnce) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "run.csv";
+  system::write_file_atomically(file, csv_of(exact_rows(), Parts::both));
+  const Recording recording(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(recording.name(), file.string());
+  const Convention convention = choose_convention(recording, {}, tumbling_problem());
+  EXPECT_TRUE(judge(recording, convention, tumbling_problem()).within_digits);
+  Problem problem = tumbling_problem();
+  problem.fit = true;
+  problem.frame = FrameSource::momentum;
+  EXPECT_LT(judge(recording, convention, problem).attitude->max, 1e-9);
+  Convention inverse = convention;
+  inverse.inverse = true;
+  const Judgement judgement = judge(recording, inverse, tumbling_problem());
+  const Alternatives found = better_readings(recording, tumbling_problem(), judgement);
+  ASSERT_THAT(found.fitting, SizeIs(1));
+  EXPECT_FALSE(found.fitting.front().convention.inverse);
+}
+
+TEST(Recording, KeepsItsFirstRowsForAllConventions) {
+  const std::string text = quaternions();
+  int passes = 0;
+  const Recording recording(
+      std::make_unique<CountedReader>(table::open_table("run.csv", text), passes));
+  const std::vector<Convention> open = conventions(recording.header(), {});
+  ASSERT_THAT(open, SizeIs(2));
+  readings(recording, inertia, open);
+  EXPECT_EQ(passes, 1);
+  EXPECT_THROW(choose_convention(recording, {}, tumbling_problem()), InvalidArgument);
+  EXPECT_EQ(passes, 1);
+  EXPECT_THAT(recording.first_rows({0}).rows, SizeIs(401));
+  EXPECT_EQ(passes, 1);
+}
+
+// One for the initial state, one for the errors; a wrong convention is found in the first rows.
+TEST(Recording, IsJudgedInTwoPasses) {
+  const std::string text = csv_of(exact_rows(), Parts::both);
+  int passes = 0;
+  const Recording recording(
+      std::make_unique<CountedReader>(table::open_table("run.csv", text), passes));
+  Convention convention = own_names(Parts::both);
+  judge(recording, convention, tumbling_problem());
+  EXPECT_EQ(passes, 2);
+  convention.inverse = true;
+  const Judgement judgement = judge(recording, convention, tumbling_problem());
+  EXPECT_EQ(passes, 5);
+  better_readings(recording, tumbling_problem(), judgement);
+  EXPECT_EQ(passes, 5);
+}
+
+}  // namespace
+}  // namespace twrench::check

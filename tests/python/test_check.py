@@ -1,0 +1,155 @@
+"""Checks of recordings in memory: no file is written or opened for them."""
+
+from __future__ import annotations
+
+import gc
+import re
+import shutil
+import subprocess
+import sys
+from typing import Any
+
+import numpy as np
+import pytest
+
+import twrench
+
+BODY = twrench.Body(moments=[2, 3, 4])
+NAMES = ["t", "wx", "wy", "wz"]
+
+
+def rows(count: int = 50, step: float = 0.4) -> np.ndarray:
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(step * np.arange(count))
+    return np.column_stack([motion.t, motion.omega])
+
+
+def columns_of(numbers: np.ndarray) -> dict[str, np.ndarray]:
+    return dict(zip(NAMES, numbers.T))
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        np.asfortranarray,
+        lambda numbers: np.repeat(numbers, 3, axis=0)[::3],
+        lambda numbers: numbers[::-1][::-1],
+        lambda numbers: np.broadcast_to(numbers, (2, *numbers.shape))[1],
+        lambda numbers: numbers.astype(">f8"),
+        lambda numbers: numbers.astype(np.longdouble),
+        lambda numbers: np.hstack([numbers, numbers])[:, :4],
+    ],
+)
+def test_the_layout_of_an_array_changes_nothing(changed):
+    numbers = rows()
+    expected = twrench.check(numbers, BODY, columns=NAMES)
+    assert expected.finding == "exact"
+    given = changed(numbers)
+    before = given.copy()
+    given.flags.writeable = False
+    for found in (
+        twrench.check(given, BODY, columns=NAMES),
+        twrench.check(columns_of(given), BODY),
+        twrench.check({name: given[:, i].tolist() for i, name in enumerate(NAMES)}, BODY),
+    ):
+        assert found.text == expected.text and found.details == expected.details
+    assert np.array_equal(given, before)
+
+
+def test_fields_of_a_packed_array_are_read():
+    numbers = rows()
+    packed = np.empty(len(numbers), dtype=[("flag", "i1"), *((name, "<f8") for name in NAMES)])
+    packed["flag"] = 1
+    for i, name in enumerate(NAMES):
+        packed[name] = numbers[:, i]
+    expected = twrench.check(numbers, BODY, columns=NAMES)
+
+    class Frame:
+        columns = NAMES
+
+        def __getitem__(self, name):
+            return packed[name]
+
+    for data in (packed, Frame()):
+        assert twrench.check(data, BODY).rates == expected.rates
+
+
+@pytest.mark.parametrize(
+    ("kind", "precision"), [(np.float32, "float32 (24 bits)"), (np.float16, "float16 (11 bits)")]
+)
+def test_narrow_numbers_keep_their_resolution(kind, precision):
+    numbers = columns_of(rows())
+    narrow = {name: column.astype(kind) for name, column in numbers.items() if name != "t"}
+    found = twrench.check({"t": numbers["t"], **narrow}, BODY)
+    assert f"rates: {precision}" in found.text
+    assert found.finding == "exact"
+
+
+def test_integers_are_numbers():
+    constant = {"t": np.arange(5, dtype=np.uint8), "wx": np.ones(5, dtype=np.int64)}
+    found = twrench.check({**constant, "wy": [0] * 5, "wz": np.zeros(5, dtype=np.int8)}, BODY)
+    assert found.finding == "exact"
+
+
+def wrong(**changes: Any) -> dict[str, Any]:
+    return {**columns_of(rows(6)), **changes}
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (np.empty((0, 4)), "^data: it has no rows$"),
+        (np.empty((4, 0)), "^data: must have columns$"),
+        (np.zeros(4), r"^data: must be an array of numbers of shape \(n, k\), not an array of shape"),
+        (np.zeros((4, 4, 1)), "^data: must be an array of numbers of shape"),
+        (rows(6).astype(object), "^data: must be an array of numbers .* and type object$"),
+        (wrong(t=[0, 1, 2]), "^data: must have columns of the same length$"),
+        (wrong(wx=[]), "^data: must have columns of the same length$"),
+        ({name: [] for name in NAMES}, "^data: it has no rows$"),
+        (wrong(wx=np.zeros((6, 1))), r"^data\['wx'\]: must be a one-dimensional array of numbers"),
+        (wrong(wx=np.array([None] * 6)), r"^data\['wx'\]: must be a one-dimensional array"),
+        (wrong(wx=[1, 2, [3]]), r"^data\['wx'\]: must be a one-dimensional array"),
+        (wrong(t=[0, 1, 2, 1, 4, 5]),
+         "^data: row 4: the column 't': the time 1 is before that of the row before, 2; sort the"),
+        (wrong(t=[0, 1, 2, 2, 4, 5]), "^data: row 4: .* remove doubled rows"),
+        (wrong(wy=[0, 0, 1e13, 0, 0, 0]), "^data: row 3: the column 'wy': .* beyond the limit"),
+        ([wrong(), wrong(t=[0, 1, 2, 1, 4, 5])], r"^data\[1\]: row 4: the column 't'"),
+        ({"t": [0, 1], "a": [1, 2]}, "^data: "),
+    ],
+)  # fmt: skip
+def test_wrong_arrays(data, message):
+    with pytest.raises(twrench.UsageError, match=message) as caught:
+        twrench.check(data, BODY)
+    assert "\n" not in str(caught.value) and "/tmp" not in str(caught.value)
+
+
+def test_arrays_are_released():
+    numbers = rows()
+    before = sys.getrefcount(numbers)
+    twrench.check(numbers, BODY, columns=NAMES)
+    gc.collect()
+    assert sys.getrefcount(numbers) == before
+
+
+@pytest.mark.skipif(shutil.which("strace") is None, reason="strace is not installed")
+def test_no_file_is_opened_for_arrays(tmp_path):
+    script = """
+import os, numpy as np, twrench
+body = twrench.Body(moments=[2, 3, 4])
+motion = twrench.exact(body, [0.1, 1, 0.2]).at(np.linspace(0, 20, 50))
+table = np.column_stack([motion.t, motion.omega])
+def check():
+    twrench.check(table, body, columns=["t", "wx", "wy", "wz"], fit=True)
+    twrench.check([{"t": motion.t, "wx": -motion.omega[:, 0], "wy": motion.omega[:, 1],
+                    "wz": motion.omega[:, 2]}, motion], body)
+check()  # the first use loads modules
+os.path.exists("/begin")
+check()
+os.path.exists("/end")
+"""
+    trace = tmp_path / "trace"
+    subprocess.run(
+        ["strace", "-f", "-e", "trace=file", "-o", trace, sys.executable, "-c", script], check=True
+    )
+    (calls,) = trace.read_text().split('"/begin"')[1:]
+    opened = re.findall(r'(?:open|mkdir|mknod|rename)\w*\(.*?"(.*?)"', calls.split('"/end"')[0])
+    assert set(opened) <= {"/sys/devices/system/cpu/online"}  # by std::thread

@@ -1,0 +1,143 @@
+#include "table/reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "scratch_folder.h"
+#include "table/read_table.h"
+
+namespace twrench::table {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Rows = std::vector<std::vector<double>>;
+
+/// The rows of a pass, at most `most`.
+Rows pass(Reader& reader, const std::vector<std::size_t>& columns, std::size_t most = 1'000'000) {
+  reader.begin_pass(columns);
+  Rows rows;
+  std::vector<Number> numbers(columns.size());
+  while (rows.size() < most && reader.next(numbers)) {
+    std::vector<double>& row = rows.emplace_back();
+    for (const Number& number : numbers) row.push_back(number.value);
+  }
+  return rows;
+}
+
+/// Three rows of three columns in every format.
+std::vector<std::string> tables() {
+  std::ifstream npy(TWRENCH_TESTS_DIR "/reference/numpy/f8.npy", std::ios::binary);
+  std::ifstream by_columns(TWRENCH_TESTS_DIR "/reference/numpy/f8_fortran.npy", std::ios::binary);
+  return {
+      {std::istreambuf_iterator<char>(npy), {}},
+      {std::istreambuf_iterator<char>(by_columns), {}},
+      "0,1.5,-2.25\n0.1,2.5,1e-3\n0.2,3.5,7\n",
+      "# of a gyroscope\n\nt,p,q\ns,deg/s,deg/s\n# first\n0,1.5,-2.25\n0.1,2.5,1e-3\n0.2,3.5,7",
+      "\xEF\xBB\xBFt;p;q\r\n0;1,5;-2,25\r\n0,1;2,5;1e-3\r\n0,2;3,5;7\r\n",
+      "  t    p   q\n  0  1.5 -2.25\n0.1  2.5  1e-3\n0.2  3.5  7\n",
+      "t,p,q\n\"0\",1.5,-2.25\n0.1,\"2.5\",1e-3\n0.2,3.5,7\n",
+      "[[0, 1.5, -2.25], [0.1, 2.5, 1e-3], [0.2, 3.5, 7]]",
+      R"({"body": [1], "samples": [{"t": 0, "w": [1.5, -2.25]}, {"t": 0.1, "w": [2.5, 1e-3]},
+          {"t": 0.2, "w": [3.5, 7]}]})",
+      "\xEF\xBB\xBF{\"t\": 0, \"p\": 1.5, \"q\": -2.25}\n{\"t\": 0.1, \"p\": 2.5, \"q\": 1e-3}\n"
+      "{\"t\": 0.2, \"p\": 3.5, \"q\": 7}\n",
+  };
+}
+
+TEST(Reader, ReadsTheRowsAgain) {
+  for (const std::string& bytes : tables()) {
+    const auto reader = open_table("run", bytes);
+    const auto all = ElementsAre(ElementsAre(0, 1.5, -2.25), ElementsAre(0.1, 2.5, 1e-3),
+                                 ElementsAre(0.2, 3.5, 7));
+    EXPECT_THAT(pass(*reader, {0, 1, 2}), all) << bytes;
+    const std::string last = reader->place();
+    EXPECT_THAT(pass(*reader, {2, 0}, 2),
+                ElementsAre(ElementsAre(-2.25, 0), ElementsAre(1e-3, 0.1)))
+        << bytes;
+    EXPECT_THAT(pass(*reader, {0, 1, 2}), all) << bytes;
+    EXPECT_EQ(reader->place(), last) << bytes;
+  }
+}
+
+TEST(Reader, ReadsTheRowsOfALongFileAgain) {
+  const ScratchFolder scratch;
+  {
+    std::ofstream file(scratch / "run.csv");
+    file << "t,w\n";
+    for (int i = 0; i < 100'000; ++i) file << i << ',' << -i << '\n';
+  }
+  const auto reader = open_table(scratch / "run.csv");
+  const Rows once = pass(*reader, {0, 1});
+  EXPECT_EQ(once.size(), 100'000U);
+  pass(*reader, {1}, 70'000);
+  EXPECT_EQ(pass(*reader, {0, 1}), once);
+}
+
+/// The error of a file that `change` changes before it is read.
+std::string error_after(const std::string& text,
+                        const std::function<void(const std::filesystem::path&)>& change) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "run.csv") << text;
+  const auto reader = open_table(scratch / "run.csv");
+  pass(*reader, {0, 1}, 10);
+  change(scratch / "run.csv");
+  try {
+    pass(*reader, {0, 1});
+  } catch (const system::FileError& error) {
+    return std::string(error.what()) + " -- " + error.remedy();
+  }
+  return "no error";
+}
+
+TEST(Reader, DetectsThatAFileChanges) {
+  std::string csv = "t,w\n", json = "[";
+  for (int i = 0; i < 100'000; ++i) csv += std::to_string(i) + ",1\n";
+  for (int i = 0; i < 100'000; ++i) json += (i > 0 ? ",[" : "[") + std::to_string(i) + ",1]\n";
+  for (const std::string& text : {csv, json + "]"}) {
+    const auto append = [](const auto& file) { std::ofstream(file, std::ios::app) << "100000,1"; };
+    EXPECT_THAT(error_after(text, append),
+                AllOf(HasSubstr("run.csv: it became longer while it was read -- wait until")));
+    for (const std::size_t size : {text.size() - 3, text.size() / 2, std::size_t{0}}) {
+      const auto cut = [&](const auto& file) { std::filesystem::resize_file(file, size); };
+      EXPECT_THAT(error_after(text, cut), HasSubstr("run.csv: it became shorter while")) << size;
+    }
+    EXPECT_EQ(error_after(text, [](const auto&) {}), "no error");
+    // The rows that were opened are still there.
+    EXPECT_EQ(error_after(text, [](const auto& file) { std::filesystem::remove(file); }),
+              "no error");
+  }
+}
+
+TEST(Reader, ReadsColumnsInMemory) {
+  const std::vector<double> rows{0, 1.5, -2.25, 0.1, 2.5, 1e-3}, backwards{7, 8};
+  const auto reader = open_table(
+      "data", {{"t", rows.data(), 3}, {"p", rows.data() + 1, 3}, {"n", &backwards[1], -1}}, 2);
+  EXPECT_EQ(reader->header().file, "data");
+  EXPECT_THAT(reader->header().names, ElementsAre("t", "p", "n"));
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_THAT(pass(*reader, {2, 0, 1, 0}),
+                ElementsAre(ElementsAre(8, 0, 1.5, 0), ElementsAre(7, 0.1, 2.5, 0.1)));
+    EXPECT_EQ(reader->place(), "data: row 2");
+  }
+  reader->begin_pass(std::vector<std::size_t>{0});
+  Number number{.value = 1, .rest = 1, .decimals = 2, .significant = 3};
+  ASSERT_TRUE(reader->next({&number, 1}));
+  EXPECT_EQ(number.rest, 0);
+  EXPECT_EQ(number.decimals, Number::all_digits);
+  EXPECT_EQ(number.significant, Number::all_digits);
+  EXPECT_THROW(open_table("data", {{"t", nullptr, 1}}, 0), BadTable);
+  EXPECT_THROW(open_table("data", std::vector<Column>(16385, {"t", rows.data(), 1}), 1),
+               system::FileError);
+}
+
+}  // namespace
+}  // namespace twrench::table
