@@ -51,6 +51,18 @@ TEST(NumberText, IsReadAsByTheStandardLibrary) {
     expect_same(std::to_string(odd));         // halfway
     expect_same(fmt::format("{}.001", odd));  // just above
     expect_same(fmt::format("0.{}", odd));
+    std::uint64_t digits = odd;
+    for (std::uint64_t decimals = 1; decimals <= 4; ++decimals) {  // halves, quarters ... of it
+      digits *= 5;
+      const std::string text = std::to_string(digits);
+      expect_same(std::string(text).insert(text.size() - decimals, "."));
+    }
+  }
+  // As near to the middle of two doubles as 22 decimals can be, but not there.
+  for (const char* text :
+       {"0.0004884155683295772119", "0.0004883853502495243506", "0.0002443269934543393872",
+        "0.0002441926751247621753", "0.0001221634967271696936", "0.0001222155468519318689"}) {
+    expect_same(text);
   }
   for (const char* text : {"8.5", "0.000", "18446744073709551615", "9999999999999999999",
                            "0.9999999999999999999", "9007199254740993e0", "9007199254740993e22"}) {
