@@ -231,7 +231,10 @@ Manner manner_of(const CommandLine& line) {
   const std::string output = line.value("output");
   manner.out_is_text = (line.command != "render" && line.command != "encode") ||
                        (output != "-" && output != "/dev/stdout");
-  manner.may_name_infinity = line.command == "schema";
+  const auto is_help = [](const std::string& word) {
+    return word == "-h" || word.starts_with("--help");
+  };
+  manner.may_name_infinity = line.command == "schema" || std::ranges::any_of(line.words, is_help);
   return manner;
 }
 

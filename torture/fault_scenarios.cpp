@@ -68,10 +68,8 @@ std::vector<std::string> faults_of_manifests(const Snapshot& after, const fs::pa
 
 }  // namespace
 
-std::vector<Scenario> all_scenarios(const fs::path& twrench, const fs::path& scratch) {
-  const Ended help = run({{twrench.string(), "encode", "--help"}, scratch, scratch / "said"});
-  const bool asks = help.out.find("--overwrite") != std::string::npos;
-  const Words over = asks ? Words{"--overwrite"} : Words{};
+std::vector<Scenario> all_scenarios() {
+  const Words over{"--overwrite"};
   const auto simple = [](const std::string& name, const Words& words, long memory_points) {
     return Scenario{name, words, words, 0, memory_points, false};
   };
@@ -84,17 +82,21 @@ std::vector<Scenario> all_scenarios(const fs::path& twrench, const fs::path& scr
       simple("overwrite", film(in_old), 500),
       simple("encode", joined({"encode", "frames", "-o", "old.mp4", "--progress", "none"}, over),
              1000),
-      simple("simulate", {"simulate", "--duration", "1", "--fps", "20", "-o", "old.csv"}, 2000),
+      simple("simulate",
+             joined({"simulate", "--duration", "1", "--fps", "20", "-o", "old.csv"}, over), 2000),
       simple("simulate-json",
-             {"simulate", "--method", "rk4", "--duration", "1", "--fps", "20", "--format", "json",
-              "-o", "old.json"},
+             joined({"simulate", "--method", "rk4", "--duration", "1", "--fps", "20", "--format",
+                     "json", "-o", "old.json"},
+                    over),
              1000),
-      simple("inertia", {"inertia", "scene.toml", "--format", "json", "-o", "old.json"}, 2000),
-      simple("compare", {"compare", "a.png", "b.png", "--diff", "old.png"}, 1000),
-      simple("export", {"export", "--duration", "1", "-o", "old.glb"}, 2000),
+      simple("inertia",
+             joined({"inertia", "scene.toml", "--format", "json", "-o", "old.json"}, over), 2000),
+      simple("compare", joined({"compare", "a.png", "b.png", "--diff", "old.png"}, over), 1000),
+      simple("export", joined({"export", "--duration", "1", "-o", "old.glb"}, over), 2000),
       simple("study",
-             {"study", "--duration", "1", "--methods", "rk4", "--steps", "0.1,0.05", "--format",
-              "json", "-o", "old.json"},
+             joined({"study", "--duration", "1", "--methods", "rk4", "--steps", "0.1,0.05",
+                     "--format", "json", "-o", "old.json"},
+                    over),
              1000)};
   scenarios[7].code = 1;
   scenarios.back().varies = true;

@@ -18,10 +18,8 @@ struct Scenario {
   bool varies = false;             ///< whether its output contains measured times
 };
 
-/// Returns all scenarios, depending on the options that the program in `twrench` has; each starts
-/// in a copy of the folder that furnish_scenarios() filled.
-std::vector<Scenario> all_scenarios(const std::filesystem::path& twrench,
-                                    const std::filesystem::path& scratch);
+/// Returns all scenarios; each starts in a copy of the folder that furnish_scenarios() filled.
+std::vector<Scenario> all_scenarios();
 
 /// Creates the files that exist beforehand: frames of the same and another video, videos, pictures,
 /// data. Throws std::runtime_error on failure.

@@ -49,9 +49,7 @@ std::string callers_in(const std::string& log) {
 
 class Faults {
  public:
-  Faults()
-      : scratch_(make_scratch_folder("faults")),
-        scenarios_(all_scenarios(TWRENCH_BINARY, scratch_)) {
+  Faults() : scratch_(make_scratch_folder("faults")), scenarios_(all_scenarios()) {
     fs::create_directories(scratch_ / "home");
     // NOLINTBEGIN(concurrency-mt-unsafe): there is one thread yet
     ::setenv("XDG_CACHE_HOME", (scratch_ / "home").c_str(), 1);

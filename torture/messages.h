@@ -12,7 +12,7 @@ struct Manner {
   bool has_progress = false;       ///< progress lines, also before the error
   bool has_bar = false;            ///< a bar, which moves the cursor
   bool out_is_text = true;         ///< standard output is text, not video
-  bool may_name_infinity = false;  ///< the schema does, as a value that a key can have
+  bool may_name_infinity = false;  ///< the schema and the help do, as a value of a key or an option
   bool may_lack_memory = false;    ///< may end with exit code 70
   bool may_be_mute = false;        ///< may end silently, if nothing can be written
 };

@@ -19,6 +19,7 @@
 #include "module.h"
 #include "picture/look/theme.h"
 #include "scene/limits.h"
+#include "system/error.h"
 #include "system/file.h"
 #include "video/encode_frames.h"
 #include "video/shard.h"
@@ -80,12 +81,19 @@ std::pair<std::size_t, std::vector<std::string>> render(
                                              : film::Reuse::none;
   if (jobs) settings.jobs = *jobs;
   settings.backend = {gl::backend_named(backend), egl_device};
-  return run_interruptibly([&](const std::atomic<bool>& stop) {
-    settings.stop = &stop;
-    film::RenderJob job(scene, settings);
-    job.run(progress_for(progress, stop));
-    return std::pair(job.size(), job.warnings());
-  });
+  try {
+    return run_interruptibly([&](const std::atomic<bool>& stop) {
+      settings.stop = &stop;
+      film::RenderJob job(scene, settings);
+      job.run(progress_for(progress, stop));
+      return std::pair(job.size(), job.warnings());
+    });
+  } catch (const system::ExistingFileError& error) {
+    if (settings.reuse != film::Reuse::resume) throw;
+    throw system::ExistingFileError("resume", error.what(),
+                                    "pass overwrite=True instead of resume=True to replace it, or "
+                                    "choose another path");
+  }
 }
 
 /// Returns the number of frames.

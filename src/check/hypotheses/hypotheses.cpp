@@ -318,8 +318,7 @@ RelativeNoise relative_noise(const Judgement& judgement) {
 }
 
 /// The wrong laws that the rows follow as they are read.
-WrongLaws laws_of(const Recording& recording, const Problem& problem,
-                  const Judgement& judgement) {
+WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judgement& judgement) {
   constexpr std::size_t enough = 8;
   const bool is_at_rest = judgement.reference.body.omega().norm() == 0;
   if (!judgement.has_rates || judgement.rows < enough || is_at_rest) return {};
@@ -330,8 +329,8 @@ WrongLaws laws_of(const Recording& recording, const Problem& problem,
 /// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
 /// leave more than a wrong law does, or more than so many changes of the reading must explain. Each
 /// change can explain a part of anything, so each further one must explain more.
-void remove_partial_fits(Alternatives& found, const Recording& recording,
-                         const Problem& problem, const Judgement& judgement, double miss_of_law) {
+void remove_partial_fits(Alternatives& found, const Recording& recording, const Problem& problem,
+                         const Judgement& judgement, double miss_of_law) {
   const double speed = judgement.reference.body.omega().norm();
   const auto is_partial = [&](const Reading& reading) {
     if (!has_rates(reading.convention) || speed == 0) return false;
