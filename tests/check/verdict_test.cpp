@@ -36,7 +36,7 @@ TEST(Verdict, IsRightOfRandomConventions) {
 TEST(Verdict, NamesTheMistakesOfSimulators) {
   if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
   const ScratchFolder folder;
-  constexpr int tried = 48, named_at_least = 44;
+  constexpr int tried = 32, named_at_least = 29;
   int named = 0;
   for (std::uint32_t number = 0; number < tried; ++number) {
     const WrongSimulation simulation = wrong_simulation(seed_of_recordings, number);

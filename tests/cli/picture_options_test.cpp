@@ -58,7 +58,8 @@ TEST(PictureOptions, OfTheMaterial) {
   EXPECT_EQ(wood["roughness"], 0.75);
 }
 
-// A wide lobe that misses a thin neighbour must not reflect more of it than one that hits it.
+// A wide lobe that misses a thin neighbour must not reflect more of it than one that hits it. The
+// balls differ, so that the body has no white mark.
 TEST(PictureOptions, RoughPaintBesideAThinPartIsDull) {
   const ScratchFolder folder;
   std::ofstream(folder / "disc.toml") << R"(
@@ -67,7 +68,7 @@ TEST(PictureOptions, RoughPaintBesideAThinPartIsDull) {
       {shape = "sphere", radius = 0.75, position = [4, 0, 0], density = 19},
       {shape = "sphere", radius = 0.75, position = [-4, 0, 0], density = 19},
       {shape = "sphere", radius = 0.5, position = [0, 4, 0], density = 19},
-      {shape = "sphere", radius = 0.5, position = [0, -4, 0], density = 19},
+      {shape = "sphere", radius = 0.4, position = [0, -4, 0], density = 19},
     ]
     motion = {omega = [0, 1, 0.01], duration = 48}
     film = {speed = 3}

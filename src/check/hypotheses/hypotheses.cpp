@@ -319,9 +319,11 @@ RelativeNoise relative_noise(const Judgement& judgement) {
 
 /// The wrong laws that the rows follow as they are read.
 WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judgement& judgement) {
+  const double turn = judgement.reference.body.omega().norm() * judgement.duration /
+                      static_cast<double>(judgement.rows);  // rad per row
   constexpr std::size_t enough = 8;
-  const bool is_at_rest = judgement.reference.body.omega().norm() == 0;
-  if (!judgement.has_rates || judgement.rows < enough || is_at_rest) return {};
+  constexpr double too_far = 2;  // between such rows no law can be recognised
+  if (!judgement.has_rates || judgement.rows < enough || turn == 0 || turn > too_far) return {};
   return wrong_laws(problem.inertia, spread_rows(recording, problem, judgement.convention),
                     judgement.has_attitude, relative_noise(judgement));
 }
@@ -338,8 +340,8 @@ void remove_partial_fits(Alternatives& found, const Recording& recording, const 
     const double miss = misses(problem.inertia, spread_rows(recording, problem, reading.convention),
                                judgement.has_attitude, noise)
                             .worst();
-    constexpr double far_worse = 10, of_methods = 1e-4;
-    if (miss > std::max(far_worse * miss_of_law, of_methods)) return true;
+    constexpr double worse = 1.5, of_methods = 1e-4;
+    if (miss > std::max(worse * miss_of_law, of_methods)) return true;
     const double digits = judgement.digits.rate / speed + judgement.digits.attitude;
     constexpr double of_digits = 10, of_one_change = 0.2, of_each_more = 0.1;
     const int changes = count_changes(judgement.convention, reading.convention);

@@ -356,13 +356,17 @@ std::vector<Explanation> explanations(const Sample& sample, const Aspect& aspect
   const Comparer roughly(sample.few, aspect, right), precisely(sample.many, aspect, right);
   std::vector<double> misses;
   for (const Kind& kind : kinds) misses.push_back(roughly.fitted(kind).miss);
-  constexpr double hopeless = 10, of_large_steps = 1e-3;
-  const double most = std::max(hopeless * std::ranges::min(misses), of_large_steps);
+  const double least = std::ranges::min(misses);
+  // What best() would refuse is not fitted precisely.
+  constexpr double far_worse = 3, of_large_steps = 1e-3, too_little = 0.05;
+  const double as_read = precisely.miss(right), of_noise = precisely.miss_of_noise(noise);
+  if (least > std::max(too_little * as_read, far_worse * of_noise)) return {};
+  const double most = std::max(far_worse * least, of_large_steps);
   std::vector<Explanation> all;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (misses[i] <= most) all.push_back(precisely.fitted(kinds[i]));
   }
-  return best(std::move(all), precisely.miss(right), precisely.miss_of_noise(noise));
+  return best(std::move(all), as_read, of_noise);
 }
 
 /// A smaller miss is that of an integrator, and not worth an explanation.
@@ -381,6 +385,7 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
     found.of_rates = explanations(sample, rates, right,
                                   kinds_of_rates(inertia, sample.many, has_attitude), noise.rates);
   }
+  found.attitude_miss = 0;
   if (!has_attitude) return found;
   const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
   const Aspect attitude{attitude_residual, attitude_change, 1};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -42,8 +43,11 @@ struct Explanation {
 
 /// What wrong laws explain of rows that do not follow the motion of a free body.
 struct WrongLaws {
-  double rates_miss = 0;     ///< root mean square, as read, relative to what changes
-  double attitude_miss = 0;  ///< likewise, under the law that the rates follow
+  /// Root mean square of what is missed as read, relative to what changes. Infinite if nothing was
+  /// tried.
+  double rates_miss = std::numeric_limits<double>::infinity();
+  /// Likewise of the attitude, under the law that the rates follow; 0 if there is none.
+  double attitude_miss = std::numeric_limits<double>::infinity();
   /// The laws that the rates follow equally well, with equally many free numbers; empty if
   /// they follow that of a free body, or none.
   std::vector<Explanation> of_rates;
