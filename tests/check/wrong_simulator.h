@@ -21,7 +21,7 @@ struct WrongSimulation {
 /// and written with 6 to 17 digits or with noise.
 WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number);
 
-/// What the verdict says of a wrong simulation.
+/// The verdict on a wrong simulation.
 struct VerdictOnLaw {
   bool names_mistake = false;
   std::string fault;  ///< a wrong statement; empty if there is none

@@ -319,11 +319,9 @@ RelativeNoise relative_noise(const Judgement& judgement) {
 
 /// The wrong laws that the rows follow as they are read.
 WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judgement& judgement) {
-  const double turn = judgement.reference.body.omega().norm() * judgement.duration /
-                      static_cast<double>(judgement.rows);  // rad per row
   constexpr std::size_t enough = 8;
-  constexpr double too_far = 2;  // between such rows no law can be recognised
-  if (!judgement.has_rates || judgement.rows < enough || turn == 0 || turn > too_far) return {};
+  const bool is_at_rest = judgement.reference.body.omega().norm() == 0;
+  if (!judgement.has_rates || judgement.rows < enough || is_at_rest) return {};
   return wrong_laws(problem.inertia, spread_rows(recording, problem, judgement.convention),
                     judgement.has_attitude, relative_noise(judgement));
 }

@@ -34,7 +34,8 @@ struct Law {
   double attitude_factor = 1;            ///< k
   double delay = 0;                      ///< s: the attitude follows the rates of that long before
   Eigen::Vector3i sequence = {2, 1, 0};  ///< axes of integrated angles, 0, 1, 2 for x, y, z
-  /// Of the two triples of angles of an attitude, the one whose second angle is beyond +-pi/2.
+  /// Whether the second angle is beyond +-pi/2, in one of the two triples of angles that give an
+  /// attitude.
   bool is_upside_down = false;
 };
 

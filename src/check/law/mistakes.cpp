@@ -68,7 +68,7 @@ Vector3d rotation_vector(const Quaterniond& q) {
   return turn.angle() * turn.axis();
 }
 
-/// What a law misses at the second row of a pair.
+/// The difference between a law and the second row of a pair.
 using Residual = Vector3d (*)(const Law& law, const State& from, const State& to, double time,
                               double law_step);
 
@@ -95,7 +95,7 @@ Vector3d attitude_change(const State& from, const State& to) {
   return rotation_vector(from.X.conjugate() * to.X);
 }
 
-/// What is compared: the rates, or the attitude.
+/// The quantity of a row that is compared: the rates, or the attitude.
 struct Aspect {
   Residual residual;
   Vector3d (*change)(const State& from, const State& to);
@@ -130,7 +130,8 @@ class Comparer {
     return std::isfinite(ratio) ? std::sqrt(ratio) : std::numeric_limits<double>::infinity();
   }
 
-  /// What noise of this standard deviation, in the unit of the residuals, leaves of both rows.
+  /// The miss of the right law if both rows have noise of this standard deviation, in the unit of
+  /// the residuals.
   double miss_of_noise(double deviation) const {
     const auto numbers = static_cast<double>(3 * pairs_.states.size());
     return aspect_.unit * deviation * std::sqrt(2 * numbers / changes_);
@@ -357,7 +358,7 @@ std::vector<Explanation> explanations(const Sample& sample, const Aspect& aspect
   std::vector<double> misses;
   for (const Kind& kind : kinds) misses.push_back(roughly.fitted(kind).miss);
   const double least = std::ranges::min(misses);
-  // What best() would refuse is not fitted precisely.
+  // A precise fit takes long, so it is omitted where best() would refuse it.
   constexpr double far_worse = 3, of_large_steps = 1e-3, too_little = 0.05;
   const double as_read = precisely.miss(right), of_noise = precisely.miss_of_noise(noise);
   if (least > std::max(too_little * as_read, far_worse * of_noise)) return {};
@@ -377,6 +378,9 @@ constexpr double good = 1e-4;
 WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
                      const RelativeNoise& noise) {
   const Sample sample{pairs_of(rows, noise.rates, rough), pairs_of(rows, noise.rates, precise)};
+  const double turn = sample.many.speed * sample.many.row_step;
+  constexpr double too_far = 2;  // rad
+  if (!(turn > 0 && turn < too_far)) return {};
   const Law right{.inertia = inertia};
   const Aspect rates{rates_residual, rates_change, sample.many.speed};
   WrongLaws found;

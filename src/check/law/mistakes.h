@@ -41,10 +41,10 @@ struct Explanation {
   double miss;  ///< what the law leaves of the changes of the rates, or of the attitude
 };
 
-/// What wrong laws explain of rows that do not follow the motion of a free body.
+/// The wrong laws that explain rows which do not follow the motion of a free body.
 struct WrongLaws {
-  /// Root mean square of what is missed as read, relative to what changes. Infinite if nothing was
-  /// tried.
+  /// The root mean square error of the motion of a free body, relative to the changes of the rates.
+  /// Infinite if nothing was tried.
   double rates_miss = std::numeric_limits<double>::infinity();
   /// Likewise of the attitude, under the law that the rates follow; 0 if there is none.
   double attitude_miss = std::numeric_limits<double>::infinity();
@@ -61,7 +61,8 @@ struct RelativeNoise {
 };
 
 /// Fits each wrong law to pairs of rows that are spread over all rows: the state of the first row
-/// of a pair must lead to that of the second. The rows must have rates that are not all zero.
+/// of a pair must lead to that of the second. Tries nothing if all rates are zero, or if the body
+/// turns by more than two radians between rows, because no law can be recognised then.
 WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
                      const RelativeNoise& noise);
 

@@ -1,0 +1,72 @@
+#include "check/law/mistakes.h"
+
+#include <gmock/gmock.h>
+#include <twrench/motion/exact.h>
+
+#include <Eigen/Geometry>
+
+#include "check/recordings.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::Vector3d;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr RelativeNoise no_noise{0, 0};
+
+TEST(Law, IsThatOfAFreeBodyByDefault) {
+  const motion::Sample exact = motion::ExactMotion(tumbling_body()).at(1);
+  const State start{omega, Eigen::Quaterniond::Identity()};
+  const State end = advanced({.inertia = inertia}, start, 1, 0.02);
+  EXPECT_LT((end.omega - exact.omega).norm(), 1e-9);
+  EXPECT_LT((end.X.toRotationMatrix() - exact.X).norm(), 1e-9);
+}
+
+TEST(WrongLaws, AreNoneOfTheRightMotion) {
+  const WrongLaws found = wrong_laws(inertia, exact_rows(), true, no_noise);
+  EXPECT_LT(found.rates_miss, 1e-8);
+  EXPECT_LT(found.attitude_miss, 1e-8);
+  EXPECT_THAT(found.of_rates, IsEmpty());
+  EXPECT_THAT(found.of_attitude, IsEmpty());
+}
+
+/// Rows of a law, each `step` s after the one before.
+std::vector<Row> rows_of_law(const Law& law, std::size_t count, double step) {
+  State state{omega, Eigen::Quaterniond::Identity()};
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < count; ++i) {
+    rows.push_back({.number = i + 1,
+                    .t = static_cast<double>(i) * step,
+                    .omega = state.omega,
+                    .X = state.X.toRotationMatrix()});
+    state = advanced(law, state, step, 0.005);
+  }
+  return rows;
+}
+
+TEST(WrongLaws, HaveTheirNumbers) {
+  Law law{.inertia = inertia};
+  law.body_torque = Vector3d(0.02, -0.01, 0.03);
+  law.attitude_factor = 2;
+  const WrongLaws found = wrong_laws(inertia, rows_of_law(law, 200, 0.05), true, no_noise);
+  ASSERT_THAT(found.of_rates, SizeIs(1));
+  EXPECT_EQ(found.of_rates[0].mistake, Mistake::body_torque);
+  EXPECT_LT((found.of_rates[0].law.body_torque - law.body_torque).norm(), 1e-8);
+  ASSERT_THAT(found.of_attitude, SizeIs(1));
+  EXPECT_EQ(found.of_attitude[0].mistake, Mistake::attitude_factor);
+  EXPECT_EQ(found.of_attitude[0].value[0], 2);
+  EXPECT_EQ(found.of_attitude[0].free_numbers, 0);
+}
+
+// A fit between such rows would take minutes and mean nothing.
+TEST(WrongLaws, AreNotTriedIfRowsAreFarApart) {
+  const std::vector<Row> rows = exact_rows(100, 10);
+  const WrongLaws found = wrong_laws(Vector3d(4, 3, 2).asDiagonal(), rows, true, no_noise);
+  EXPECT_THAT(found.of_rates, IsEmpty());
+  EXPECT_FALSE(std::isfinite(found.rates_miss));
+}
+
+}  // namespace
+}  // namespace twrench::check
