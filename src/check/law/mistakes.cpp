@@ -1,15 +1,11 @@
 #include "check/law/mistakes.h"
 
-#include <twrench/body/mass_properties.h>
-
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <utility>
 
+#include "check/law/candidates.h"
 #include "check/verdict/least_squares.h"
 
 namespace twrench::check {
@@ -62,6 +58,14 @@ Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
   return pairs;
 }
 
+RowScales scales_of(const Pairs& pairs) {
+  std::vector<double> speeds;
+  for (const auto& [from, to] : pairs.states) speeds.push_back(from.omega.norm());
+  const auto nth = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
+  std::ranges::nth_element(speeds, nth);
+  return {pairs.speed, *nth, pairs.row_step};
+}
+
 /// The rotation vector of a rotation, at most half a turn.
 Vector3d rotation_vector(const Quaterniond& q) {
   const Eigen::AngleAxisd turn(q);
@@ -102,15 +106,6 @@ struct Aspect {
   double unit;  ///< of the residuals
 };
 
-/// A mistake, and the law with it as a function of the numbers that are fitted.
-struct Kind {
-  Mistake mistake;
-  VectorXd start;             ///< the numbers where the search begins
-  VectorXd scale;             ///< the size of a step that matters
-  std::vector<double> usual;  ///< values that the first number usually has
-  std::function<Law(const Law& before, const VectorXd& numbers)> law;
-};
-
 /// How well laws explain pairs of rows.
 class Comparer {
  public:
@@ -137,7 +132,7 @@ class Comparer {
     return aspect_.unit * deviation * std::sqrt(2 * numbers / changes_);
   }
 
-  Explanation fitted(const Kind& kind) const;
+  Explanation fitted(const Candidate& candidate) const;
 
  private:
   VectorXd residuals(const Law& law) const {
@@ -156,10 +151,10 @@ class Comparer {
   double changes_ = 0;
 };
 
-Explanation Comparer::fitted(const Kind& kind) const {
-  const Index count = kind.start.size();
+Explanation Comparer::fitted(const Candidate& candidate) const {
+  const Index count = candidate.start.size();
   const auto law_at = [&](const VectorXd& p) {
-    return kind.law(right_, kind.start + kind.scale.cwiseProduct(p));
+    return candidate.law(right_, candidate.start + candidate.scale.cwiseProduct(p));
   };
   const auto differentiate = [&](const VectorXd& p, MatrixXd& jacobian) {
     constexpr double step = 1e-5;
@@ -180,155 +175,23 @@ Explanation Comparer::fitted(const Kind& kind) const {
     const double variance = residuals(law_at(p)).squaredNorm() / static_cast<double>(rows - count);
     deviation = (variance * inverse_of_squares(jacobian).diagonal()).cwiseSqrt();
   }
-  Explanation found{kind.mistake,
+  Explanation found{candidate.mistake,
                     law_at(p),
-                    kind.start + kind.scale.cwiseProduct(p),
-                    kind.scale.cwiseProduct(deviation),
+                    candidate.start + candidate.scale.cwiseProduct(p),
+                    candidate.scale.cwiseProduct(deviation),
                     static_cast<int>(count),
                     0};
   // A number close to a usual one is taken for it.
-  for (const double usual : kind.usual) {
+  for (const double usual : candidate.usual) {
     constexpr double deviations = 4, close = 2e-3;
-    const double near = std::max(deviations * found.deviation[0], close * kind.scale[0]);
+    const double near = std::max(deviations * found.deviation[0], close * candidate.scale[0]);
     if (!(std::abs(found.value[0] - usual) < near)) continue;
     found.value[0] = usual;
     found.free_numbers -= 1;
-    found.law = kind.law(right_, found.value);
+    found.law = candidate.law(right_, found.value);
   }
   found.miss = miss(found.law);
   return found;
-}
-
-VectorXd numbers(std::initializer_list<double> values) {
-  VectorXd vector(static_cast<Index>(values.size()));
-  std::ranges::copy(values, vector.begin());
-  return vector;
-}
-
-/// A kind with a single number.
-template <typename Set>
-Kind kind_of(Mistake mistake, double start, double scale, std::vector<double> usual, Set set) {
-  return {mistake, numbers({start}), numbers({scale}), std::move(usual),
-          [set](const Law& before, const VectorXd& p) {
-            Law law = before;
-            set(law, p[0]);
-            return law;
-          }};
-}
-
-/// A kind without a number to fit.
-template <typename Set>
-Kind plain(Mistake mistake, Set set) {
-  return {mistake, VectorXd(), VectorXd(), {}, [set](const Law& before, const VectorXd&) {
-            Law law = before;
-            set(law);
-            return law;
-          }};
-}
-
-Kind of_inertia(Mistake mistake, const Matrix3d& inertia) {
-  return plain(mistake, [inertia](Law& law) { law.inertia = inertia; });
-}
-
-Kind torque(Mistake mistake, Vector3d Law::*torque, double scale) {
-  return {mistake,
-          Vector3d::Zero(),
-          Vector3d::Constant(scale),
-          {},
-          [torque](const Law& before, const VectorXd& p) {
-            Law law = before;
-            law.*torque = p;
-            return law;
-          }};
-}
-
-/// Another body with the same principal axes: the logarithms by which two moments grow.
-Kind other_moments(const Matrix3d& inertia) {
-  const body::PrincipalAxes principal = body::principal_axes(inertia);
-  return {Mistake::moments,
-          numbers({0, 0}),
-          numbers({1, 1}),
-          {},
-          [principal](const Law& before, const VectorXd& p) {
-            constexpr double most = 10;  // keeps the moments finite
-            const Vector3d growth(1, std::exp(std::clamp(p[0], -most, most)),
-                                  std::exp(std::clamp(p[1], -most, most)));
-            Law law = before;
-            law.inertia = principal.axes * principal.moments.cwiseProduct(growth).asDiagonal() *
-                          principal.axes.transpose();
-            return law;
-          }};
-}
-
-Matrix3d with_other_products(const Matrix3d& inertia) {
-  return 2 * Matrix3d(inertia.diagonal().asDiagonal()) - inertia;
-}
-
-/// The speed that a tenth of the rows exceeds: a limit, if there is one that matters.
-double frequent_speed(const Pairs& pairs) {
-  std::vector<double> speeds;
-  for (const auto& [from, to] : pairs.states) speeds.push_back(from.omega.norm());
-  const auto nth = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
-  std::ranges::nth_element(speeds, nth);
-  return *nth;
-}
-
-std::vector<Kind> kinds_of_rates(const Matrix3d& inertia, const Pairs& pairs, bool has_attitude) {
-  const double speed = pairs.speed;
-  const double moment = inertia.diagonal().maxCoeff();
-  const double torque_scale = moment * speed * speed;
-  const auto set_factor = [](Law& law, double a) { law.gyroscopic = a; };
-  std::vector<Kind> kinds{
-      kind_of(Mistake::gyroscopic_factor, 1, 1, {-1, 0, 0.5, 2}, set_factor),
-      kind_of(Mistake::undivided, 1 / moment, 1 / moment, {1},
-              [](Law& law, double a) {
-                law.division = Division::omitted;
-                law.gyroscopic = a;
-              }),
-      kind_of(Mistake::multiplied, 1 / (moment * moment), 1 / (moment * moment), {1},
-              [](Law& law, double a) {
-                law.division = Division::multiplied;
-                law.gyroscopic = a;
-              }),
-      torque(Mistake::body_torque, &Law::body_torque, torque_scale),
-      kind_of(Mistake::damping, 0, speed, {}, [](Law& law, double c) { law.damping = c; }),
-      kind_of(Mistake::quadratic_damping, 0, 1, {},
-              [](Law& law, double d) { law.quadratic_damping = d; }),
-      other_moments(inertia)};
-  const double limit = frequent_speed(pairs);
-  kinds.push_back(plain(Mistake::speed_limit, [limit](Law& law) { law.speed_limit = limit; }));
-  if (has_attitude)
-    kinds.push_back(torque(Mistake::space_torque, &Law::space_torque, torque_scale));
-  kinds.push_back(of_inertia(Mistake::inverse_inertia, moment * moment * inertia.inverse()));
-  const Matrix3d other = with_other_products(inertia);
-  if (!other.isApprox(inertia)) kinds.push_back(of_inertia(Mistake::products_sign, other));
-  return kinds;
-}
-
-std::vector<Kind> kinds_of_attitude(const Pairs& pairs) {
-  const auto with_kinematics = [](Kinematics kinematics) {
-    return [kinematics](Law& law, double k) {
-      law.kinematics = kinematics;
-      law.attitude_factor = k;
-    };
-  };
-  const double step = pairs.row_step;
-  std::vector<Kind> kinds{
-      kind_of(Mistake::attitude_factor, 1, 1, {2, 0.5, -1, 0},
-              with_kinematics(Kinematics::body_rates)),
-      kind_of(Mistake::swapped_factors, 1, 1, {1, 2, -1}, with_kinematics(Kinematics::space_rates)),
-      kind_of(Mistake::delayed_rates, 0, step, {step / 2, step, -step / 2, -step},
-              [](Law& law, double delay) { law.delay = delay; })};
-  static constexpr std::array<std::array<int, 3>, 6> sequences{
-      {{2, 1, 0}, {0, 1, 2}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}}};
-  for (const auto& [first, second, third] : sequences) {
-    const Eigen::Vector3i axes(first, second, third);
-    kinds.push_back(plain(Mistake::integrated_angles, [axes](Law& law) {
-      law.kinematics = Kinematics::integrated_angles;
-      law.sequence = axes;
-    }));
-  }
-  return kinds;
 }
 
 /// The explanations that fit about equally well, with the fewest free numbers. None if even the
@@ -353,10 +216,10 @@ struct Sample {
 };
 
 std::vector<Explanation> explanations(const Sample& sample, const Aspect& aspect, const Law& right,
-                                      const std::vector<Kind>& kinds, double noise) {
+                                      const std::vector<Candidate>& candidates, double noise) {
   const Comparer roughly(sample.few, aspect, right), precisely(sample.many, aspect, right);
   std::vector<double> misses;
-  for (const Kind& kind : kinds) misses.push_back(roughly.fitted(kind).miss);
+  for (const Candidate& candidate : candidates) misses.push_back(roughly.fitted(candidate).miss);
   const double least = std::ranges::min(misses);
   // A precise fit takes long, so it is omitted where best() would refuse it.
   constexpr double far_worse = 3, of_large_steps = 1e-3, too_little = 0.05;
@@ -364,8 +227,8 @@ std::vector<Explanation> explanations(const Sample& sample, const Aspect& aspect
   if (least > std::max(too_little * as_read, far_worse * of_noise)) return {};
   const double most = std::max(far_worse * least, of_large_steps);
   std::vector<Explanation> all;
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (misses[i] <= most) all.push_back(precisely.fitted(kinds[i]));
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (misses[i] <= most) all.push_back(precisely.fitted(candidates[i]));
   }
   return best(std::move(all), as_read, of_noise);
 }
@@ -381,13 +244,14 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
   const double turn = sample.many.speed * sample.many.row_step;
   constexpr double too_far = 2;  // rad
   if (!(turn > 0 && turn < too_far)) return {};
+  const RowScales scales = scales_of(sample.many);
   const Law right{.inertia = inertia};
   const Aspect rates{rates_residual, rates_change, sample.many.speed};
   WrongLaws found;
   found.rates_miss = Comparer(sample.many, rates, right).miss(right);
   if (found.rates_miss > good) {
     found.of_rates = explanations(sample, rates, right,
-                                  kinds_of_rates(inertia, sample.many, has_attitude), noise.rates);
+                                  candidates_for_rates(inertia, scales, has_attitude), noise.rates);
   }
   found.attitude_miss = 0;
   if (!has_attitude) return found;
@@ -395,7 +259,7 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
   const Aspect attitude{attitude_residual, attitude_change, 1};
   found.attitude_miss = Comparer(sample.many, attitude, law).miss(law);
   if (found.attitude_miss > good) {
-    found.of_attitude = explanations(sample, attitude, law, kinds_of_attitude(sample.many),
+    found.of_attitude = explanations(sample, attitude, law, candidates_for_attitude(scales),
                                      noise.attitude + noise.rates);
   }
   return found;

@@ -4,7 +4,11 @@
 #include <twrench/motion/exact.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
+#include "base/enumeration.h"
+#include "check/law/candidates.h"
 #include "check/recordings.h"
 
 namespace twrench::check {
@@ -58,6 +62,17 @@ TEST(WrongLaws, HaveTheirNumbers) {
   EXPECT_EQ(found.of_attitude[0].mistake, Mistake::attitude_factor);
   EXPECT_EQ(found.of_attitude[0].value[0], 2);
   EXPECT_EQ(found.of_attitude[0].free_numbers, 0);
+}
+
+TEST(Candidates, AreAllMistakes) {
+  Eigen::Matrix3d with_products = inertia;
+  with_products(0, 1) = with_products(1, 0) = 0.1;
+  const RowScales scales{1, 1, 0.1};
+  std::vector<Candidate> all = candidates_for_rates(with_products, scales, true);
+  for (const Candidate& candidate : candidates_for_attitude(scales)) all.push_back(candidate);
+  for (const Mistake mistake : enumerators<Mistake>)
+    EXPECT_TRUE(std::ranges::any_of(all, [=](auto& one) { return one.mistake == mistake; }))
+        << enumerator_name(mistake);
 }
 
 // A fit between such rows would take minutes and mean nothing.

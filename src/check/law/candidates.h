@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "check/law/law.h"
+#include "check/law/mistakes.h"
+
+namespace twrench::check {
+
+/// A mistake, and the law with it as a function of the numbers that are fitted.
+struct Candidate {
+  Mistake mistake;
+  Eigen::VectorXd start;      ///< the numbers where the search begins
+  Eigen::VectorXd scale;      ///< the size of a step that matters
+  std::vector<double> usual;  ///< values that the first number usually has
+  std::function<Law(const Law& before, const Eigen::VectorXd& numbers)> law;
+};
+
+/// The sizes of rows that scale the numbers of a law.
+struct RowScales {
+  double speed;           ///< largest |w|, rad/s
+  double frequent_speed;  ///< exceeded by a tenth of the rows: a limit, if one matters
+  double step;            ///< mean time between rows, s
+};
+
+/// Every mistake in the law of the rates. A torque in space needs an attitude.
+std::vector<Candidate> candidates_for_rates(const Eigen::Matrix3d& inertia, const RowScales& scales,
+                                            bool has_attitude);
+
+/// Every mistake in the law of the attitude.
+std::vector<Candidate> candidates_for_attitude(const RowScales& scales);
+
+}  // namespace twrench::check
