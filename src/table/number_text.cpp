@@ -104,10 +104,11 @@ Reading read_plain(std::string_view text, Number& number) {
   if (is_short) sum = scaled(decimal.digits, decimal.decimals);
   if (is_negative) sum = {-sum.high, -sum.low};
   number.value = sum.high + sum.low;
-  // The sum is rounded to the nearest double: its relative error, 2^-52 of half a unit in the last
-  // place, is less than the distance of a number of 22 decimals from the middle of two doubles, at
-  // least 5^-22 of that.
-  const bool is_read = is_short && decimal.is_plain;
+  // The sum is rounded to the nearest double: its error, at most 3 * 2^-52 of half a unit in the
+  // last place, is less than the distance of a number of 21 decimals from the middle of two
+  // doubles, at least 5^-21 of that.
+  constexpr int most_decimals = 21;
+  const bool is_read = is_short && decimal.is_plain && decimal.decimals <= most_decimals;
   const Reading reading = is_read ? Reading::number : read_by_library(text, decimal, number);
   if (is_short && std::isfinite(number.value)) {
     number.rest = (sum.high - number.value) + sum.low;
