@@ -299,18 +299,16 @@ namespace {
 std::vector<Row> spread_rows(const Recording& recording, const Problem& problem,
                              const Convention& convention) {
   ThinnedRows thinned(most_fitted_rows);
-  std::vector<Row> first;
   RowReader reader = recording.rows(convention);
   Row row;
   double speed = 0;
   while (reader.next(row)) {
     throw_if_stopped(problem.stop);
     thinned.add(row);
-    if (first.size() < most_fitted_rows) first.push_back(row);
     speed = std::max(speed, row.omega.norm());
   }
   const double turn = speed * row.t / static_cast<double>(thinned.rows().size());
-  return turn < 1 ? thinned.rows() : first;
+  return turn < 1 ? thinned.rows() : beginning(recording, convention, most_fitted_rows);
 }
 
 RelativeNoise relative_noise(const Judgement& judgement) {
@@ -332,15 +330,15 @@ WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judg
 void remove_partial_fits(Alternatives& found, const Recording& recording, const Problem& problem,
                          const Judgement& judgement, double miss_of_law) {
   const double speed = judgement.reference.body.omega().norm();
+  if (!judgement.has_rates || speed == 0) return;
+  const RelativeNoise noise = relative_noise(judgement);
+  const double digits = judgement.digits.rate / speed + judgement.digits.attitude;
   const auto is_partial = [&](const Reading& reading) {
-    if (!has_rates(reading.convention) || speed == 0) return false;
-    const RelativeNoise noise = relative_noise(judgement);
-    const double miss = misses(problem.inertia, spread_rows(recording, problem, reading.convention),
-                               judgement.has_attitude, noise)
-                            .worst();
+    const double miss =
+        largest_miss(problem.inertia, spread_rows(recording, problem, reading.convention),
+                     judgement.has_attitude, noise);
     constexpr double worse = 1.5, of_methods = 1e-4;
     if (miss > std::max(worse * miss_of_law, of_methods)) return true;
-    const double digits = judgement.digits.rate / speed + judgement.digits.attitude;
     constexpr double of_digits = 10, of_one_change = 0.2, of_each_more = 0.1;
     const int changes = count_changes(judgement.convention, reading.convention);
     const double most = of_one_change * std::pow(of_each_more, changes - 1);

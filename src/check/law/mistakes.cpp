@@ -106,6 +106,9 @@ struct Aspect {
   double unit;  ///< of the residuals
 };
 
+Aspect rates_of(const Pairs& pairs) { return {rates_residual, rates_change, pairs.speed}; }
+constexpr Aspect attitude{attitude_residual, attitude_change, 1};
+
 /// How well laws explain pairs of rows.
 class Comparer {
  public:
@@ -117,7 +120,11 @@ class Comparer {
       const double found = aspect.change(from, to).squaredNorm();
       changes_ += std::max(found, aspect.change(from, expected).squaredNorm());
     }
+    miss_of_right_ = miss(right);
   }
+
+  /// The miss of the right law.
+  double miss_of_right() const { return miss_of_right_; }
 
   /// Root mean square of what the law misses, relative to what changes.
   double miss(const Law& law) const {
@@ -148,7 +155,7 @@ class Comparer {
   const Pairs& pairs_;
   Aspect aspect_;
   const Law& right_;
-  double changes_ = 0;
+  double changes_ = 0, miss_of_right_ = 0;
 };
 
 Explanation Comparer::fitted(const Candidate& candidate) const {
@@ -210,20 +217,14 @@ std::vector<Explanation> best(std::vector<Explanation> all, double as_read, doub
   return all;
 }
 
-/// Rows, and how precisely laws are fitted to them.
-struct Sample {
-  Pairs few, many;
-};
-
-std::vector<Explanation> explanations(const Sample& sample, const Aspect& aspect, const Law& right,
+std::vector<Explanation> explanations(const Comparer& roughly, const Comparer& precisely,
                                       const std::vector<Candidate>& candidates, double noise) {
-  const Comparer roughly(sample.few, aspect, right), precisely(sample.many, aspect, right);
   std::vector<double> misses;
   for (const Candidate& candidate : candidates) misses.push_back(roughly.fitted(candidate).miss);
   const double least = std::ranges::min(misses);
   // A precise fit takes long, so it is omitted where best() would refuse it.
   constexpr double far_worse = 3, of_large_steps = 1e-3, too_little = 0.05;
-  const double as_read = precisely.miss(right), of_noise = precisely.miss_of_noise(noise);
+  const double as_read = precisely.miss_of_right(), of_noise = precisely.miss_of_noise(noise);
   if (least > std::max(too_little * as_read, far_worse * of_noise)) return {};
   const double most = std::max(far_worse * least, of_large_steps);
   std::vector<Explanation> all;
@@ -240,40 +241,39 @@ constexpr double good = 1e-4;
 
 WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
                      const RelativeNoise& noise) {
-  const Sample sample{pairs_of(rows, noise.rates, rough), pairs_of(rows, noise.rates, precise)};
-  const double turn = sample.many.speed * sample.many.row_step;
+  const Pairs few = pairs_of(rows, noise.rates, rough);
+  const Pairs many = pairs_of(rows, noise.rates, precise);
+  const double turn = many.speed * many.row_step;
   constexpr double too_far = 2;  // rad
   if (!(turn > 0 && turn < too_far)) return {};
-  const RowScales scales = scales_of(sample.many);
+  const RowScales scales = scales_of(many);
   const Law right{.inertia = inertia};
-  const Aspect rates{rates_residual, rates_change, sample.many.speed};
+  const Comparer of_rates(many, rates_of(many), right);
   WrongLaws found;
-  found.rates_miss = Comparer(sample.many, rates, right).miss(right);
+  found.rates_miss = of_rates.miss_of_right();
   if (found.rates_miss > good) {
-    found.of_rates = explanations(sample, rates, right,
+    found.of_rates = explanations(Comparer(few, rates_of(many), right), of_rates,
                                   candidates_for_rates(inertia, scales, has_attitude), noise.rates);
   }
   found.attitude_miss = 0;
   if (!has_attitude) return found;
   const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
-  const Aspect attitude{attitude_residual, attitude_change, 1};
-  found.attitude_miss = Comparer(sample.many, attitude, law).miss(law);
+  const Comparer of_attitude(many, attitude, law);
+  found.attitude_miss = of_attitude.miss_of_right();
   if (found.attitude_miss > good) {
-    found.of_attitude = explanations(sample, attitude, law, candidates_for_attitude(scales),
-                                     noise.attitude + noise.rates);
+    found.of_attitude = explanations(Comparer(few, attitude, law), of_attitude,
+                                     candidates_for_attitude(scales), noise.attitude + noise.rates);
   }
   return found;
 }
 
-Misses misses(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
-              const RelativeNoise& noise) {
+double largest_miss(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+                    const RelativeNoise& noise) {
   const Pairs pairs = pairs_of(rows, noise.rates, precise);
   const Law right{.inertia = inertia};
-  const auto miss = [&](const Aspect& aspect) {
-    return Comparer(pairs, aspect, right).miss(right);
-  };
-  return {miss({rates_residual, rates_change, pairs.speed}),
-          has_attitude ? miss({attitude_residual, attitude_change, 1}) : 0};
+  const double of_rates = Comparer(pairs, rates_of(pairs), right).miss_of_right();
+  if (!has_attitude) return of_rates;
+  return std::max(of_rates, Comparer(pairs, attitude, right).miss_of_right());
 }
 
 }  // namespace twrench::check

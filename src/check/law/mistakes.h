@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <limits>
 #include <span>
 #include <vector>
@@ -52,6 +51,9 @@ struct WrongLaws {
   /// they follow that of a free body, or none.
   std::vector<Explanation> of_rates;
   std::vector<Explanation> of_attitude;  ///< likewise
+
+  /// Whether no wrong law explains anything.
+  bool empty() const { return of_rates.empty() && of_attitude.empty(); }
 };
 
 /// Standard deviations of errors that are independent from row to row.
@@ -66,14 +68,8 @@ struct RelativeNoise {
 WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
                      const RelativeNoise& noise);
 
-/// How far rows are from the motion of a free body, as in WrongLaws.
-struct Misses {
-  double rates;
-  double attitude;  ///< 0 if there is none
-
-  double worst() const { return std::max(rates, attitude); }
-};
-Misses misses(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
-              const RelativeNoise& noise);
+/// The larger one of the misses of the motion of a free body, as in WrongLaws.
+double largest_miss(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+                    const RelativeNoise& noise);
 
 }  // namespace twrench::check

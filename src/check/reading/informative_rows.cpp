@@ -58,6 +58,15 @@ std::vector<Row> decoded(const RowSample& numbers, const Convention& convention)
   return rows;
 }
 
+std::vector<Row> beginning(const Recording& recording, const Convention& convention,
+                           std::size_t count) {
+  RowReader reader = recording.rows(convention);
+  std::vector<Row> rows;
+  Row row;
+  while (rows.size() < count && reader.next(row)) rows.push_back(row);
+  return rows;
+}
+
 std::vector<Row> informative_rows(const Recording& recording, const Convention& convention) {
   return decoded(read_row_sample(recording, convention), convention);
 }

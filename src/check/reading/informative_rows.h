@@ -17,6 +17,10 @@ RowSample read_row_sample(const Recording& recording, const Convention& conventi
 /// table::BadTable for numbers that the convention does not allow.
 std::vector<Row> decoded(const RowSample& numbers, const Convention& convention);
 
+/// At most `count` rows from the beginning. Throws as RowReader does.
+std::vector<Row> beginning(const Recording& recording, const Convention& convention,
+                           std::size_t count);
+
 /// Selects and decodes the rows in the same convention.
 std::vector<Row> informative_rows(const Recording& recording, const Convention& convention);
 

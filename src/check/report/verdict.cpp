@@ -28,7 +28,7 @@ std::string foreign_text(const CheckedFile& file) {
     std::string text = start + joined(texts, "; or if ");
     if (alternatives.fitting.size() > most) text += "; or in other ways";
     const WrongLaws& laws = alternatives.laws;
-    if (laws.of_rates.empty() && laws.of_attitude.empty()) return text;
+    if (laws.empty()) return text;
     return text + "; or a wrong law explains it as well: " + law_text(judgement, laws);
   }
   const Misfit& misfit = judgement.misfit;
@@ -278,9 +278,7 @@ Verdict verdict(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(file);
   const WrongLaws& laws = file.alternatives.laws;
-  const bool follows_wrong_law = !laws.of_rates.empty() || !laws.of_attitude.empty();
-  if (follows_wrong_law && file.alternatives.fitting.empty())
-    return verdict_of_law(judgement, laws);
+  if (!laws.empty() && file.alternatives.fitting.empty()) return verdict_of_law(judgement, laws);
   if (is_foreign(judgement) || !file.alternatives.fitting.empty()) {
     const bool is_misread = !file.alternatives.fitting.empty();
     const bool rates_fit = judgement.misfit.rates && Misfit{judgement.misfit.rates, {}}.fits();

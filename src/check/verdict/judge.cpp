@@ -49,15 +49,6 @@ struct ReadRecording {
   RowReader reader() const { return recording.rows(convention); }
 };
 
-/// At most `count` rows from the beginning.
-std::vector<Row> first_rows(const ReadRecording& read, std::size_t count) {
-  RowReader reader = read.reader();
-  std::vector<Row> rows;
-  Row row;
-  while (rows.size() < count && reader.next(row)) rows.push_back(row);
-  return rows;
-}
-
 Vector3d first_omega(const ReadRecording& read, const Problem& problem,
                      const std::vector<Row>& rows) {
   if (problem.omega) return *problem.omega;
@@ -85,7 +76,7 @@ Fit fitted(const ReadRecording& read, const Problem& problem) {
   for_each_block(reader, problem.stop, [&](std::span<const Row> rows) {
     for (const Row& row : rows) thinned.add(row);
   });
-  const std::vector<Row> first = first_rows(read, 2);
+  const std::vector<Row> first = beginning(read.recording, read.convention, 2);
   Vector3d omega = first_omega(read, problem, first);
   if (problem.omega) {
     omega = motion::ExactMotion({problem.inertia, omega}).at(-start_of(read, problem)).omega;
@@ -96,7 +87,7 @@ Fit fitted(const ReadRecording& read, const Problem& problem) {
 
 /// The given initial state, with the frame of the first row.
 Reference given_reference(const ReadRecording& read, const Problem& problem) {
-  const std::vector<Row> first = first_rows(read, 1);
+  const std::vector<Row> first = beginning(read.recording, read.convention, 1);
   const double start = start_of(read, problem);
   Reference reference{{problem.inertia, first_omega(read, problem, first)}, start};
   const Matrix3d X = motion::ExactMotion(reference.body).at(-start).X;
