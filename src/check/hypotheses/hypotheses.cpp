@@ -25,8 +25,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Pairs of rows for each interval when many readings are tried.
-constexpr std::size_t few = 8;
 /// A reading with a larger misfit does not fit.
 constexpr double follows = 0.2;
 
@@ -118,7 +116,7 @@ class Search {
       for (const BodyAxes& axes : axes_) {
         const Change change{scale.factor, axes};
         const auto rows = changed(variants_.front().rows, change);
-        const auto miss = misfit_of_rates(problem_.inertia, rows, few);
+        const auto miss = quick_misfit_of_rates(problem_.inertia, rows);
         if (miss.value_or(0) >= follows) continue;
         if (miss) following_.emplace_back(&scale, axes);
         for (const Variant& variant : variants_) test(variant, scale, change);
@@ -164,8 +162,8 @@ class Search {
   /// Keeps the reading if it may fit.
   void test(const Variant& variant, const Scale& scale, const Change& change) {
     const auto rows = changed(variant.rows, change);
-    const auto quick = has_attitude_ ? misfit_of_attitude(problem_.inertia, rows, has_rates_, few)
-                                     : misfit_of_rates(problem_.inertia, rows, few);
+    const auto quick = has_attitude_ ? quick_misfit_of_attitude(problem_.inertia, rows, has_rates_)
+                                     : quick_misfit_of_rates(problem_.inertia, rows);
     constexpr double clearly_none = 2 * follows;
     if (quick && *quick >= std::min(clearly_none, nearest_)) return;
     const Misfit found = misfit(problem_.inertia, rows, has_rates_, has_attitude_);

@@ -4,7 +4,7 @@
 #include <twrench/motion/exact.h>
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "check/verdict/fit.h"
@@ -57,31 +57,87 @@ Miss miss_of_attitude_alone(const Matrix3d& inertia, std::span<const Row> rows, 
           std::max(angle(turn.transpose() * on), angle(turn.transpose() * expected))};
 }
 
-using Measure = Miss (*)(const Matrix3d&, std::span<const Row>, std::size_t, std::size_t);
+/// What is tested, and of how many strides of rows it needs.
+struct Measure {
+  Miss (*miss)(const Matrix3d& inertia, std::span<const Row> rows, std::size_t i,
+               std::size_t stride);
+  double (*change)(const Row& from, const Row& to);
+  std::size_t reach;    ///< strides from the first row to the last one that is used
+  double least_change;  ///< smaller ones are not informative
+  double clear_change;  ///< larger than what digits and noise change
+};
 
-/// The least ratio of the median miss to the median change over strides of 1, 2, 4 ... rows. The
-/// measure uses rows up to `reach` strides ahead of at most `most` rows for each stride. Returns
-/// nothing if the change is below `least_change` at all strides.
+double change_of_rates(const Row& from, const Row& to) { return (to.omega - from.omega).norm(); }
+
+double change_of_attitude(const Row& from, const Row& to) {
+  return angle(from.X.transpose() * to.X);
+}
+
+/// The number of rows with all rows of a test after them.
+std::size_t starts_of(std::span<const Row> rows, const Measure& measure, std::size_t stride) {
+  return rows.size() - stride * measure.reach;
+}
+
+/// The ratio of the median miss to the median change at a stride, from at most `most` pairs.
+/// Nothing if the change is too small.
+std::optional<double> ratio(const Matrix3d& inertia, std::span<const Row> rows,
+                            const Measure& measure, std::size_t stride, std::size_t most) {
+  std::vector<double> misses, changes;
+  const std::size_t starts = starts_of(rows, measure, stride);
+  for (std::size_t i = 0; i < starts; i += (starts + most - 1) / most) {
+    const Miss here = measure.miss(inertia, rows, i, stride);
+    misses.push_back(here.miss);
+    changes.push_back(here.change);
+  }
+  const double change = study::median(std::move(changes));
+  if (!(change > measure.least_change)) return {};
+  return study::median(std::move(misses)) / change;
+}
+
+/// Strides of 1, 2, 4 ... rows at which there are at least a few pairs.
+std::vector<std::size_t> strides_of(std::span<const Row> rows, const Measure& measure) {
+  constexpr std::size_t enough = 4;
+  std::vector<std::size_t> strides;
+  for (std::size_t stride = 1; stride * measure.reach < rows.size(); stride *= 2) {
+    if (stride > 1 && starts_of(rows, measure, stride) < enough) break;
+    strides.push_back(stride);
+  }
+  return strides;
+}
+
+/// The least ratio over all strides.
 std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> rows,
-                                  Measure measure, std::size_t reach, double least_change,
-                                  std::size_t most) {
+                                  const Measure& measure) {
+  constexpr std::size_t enough_for_medians = 32;
   std::optional<double> least;
-  for (std::size_t stride = 1; stride * reach < rows.size(); stride *= 2) {
-    std::vector<double> misses, changes;
-    const std::size_t starts = rows.size() - stride * reach;
-    for (std::size_t i = 0; i < starts; i += (starts + most - 1) / most) {
-      const Miss here = measure(inertia, rows, i, stride);
-      misses.push_back(here.miss);
-      changes.push_back(here.change);
-    }
-    constexpr std::size_t enough = 4;
-    if (stride > 1 && misses.size() < enough) break;
-    const double change = study::median(std::move(changes));
-    if (!(change > least_change)) continue;
-    const double ratio = study::median(std::move(misses)) / change;
-    least = std::min(least.value_or(ratio), ratio);
+  for (const std::size_t stride : strides_of(rows, measure)) {
+    const auto here = ratio(inertia, rows, measure, stride, enough_for_medians);
+    if (here) least = std::min(least.value_or(*here), *here);
   }
   return least;
+}
+
+/// The ratio at the shortest stride with a clear change, or else at that with the largest change.
+std::optional<double> quick_ratio(const Matrix3d& inertia, std::span<const Row> rows,
+                                  const Measure& measure) {
+  constexpr std::size_t few = 8;
+  std::size_t best = 0;
+  double largest = 0;
+  for (const std::size_t stride : strides_of(rows, measure)) {
+    std::vector<double> changes;
+    const std::size_t starts = starts_of(rows, measure, stride);
+    for (std::size_t i = 0; i < starts; i += (starts + few - 1) / few) {
+      changes.push_back(measure.change(rows[i], rows[i + stride]));
+    }
+    const double change = study::median(std::move(changes));
+    if (change > largest) {
+      best = stride;
+      largest = change;
+    }
+    if (change > measure.clear_change) break;
+  }
+  if (best == 0) return {};
+  return ratio(inertia, rows, measure, best, few);
 }
 
 /// Smaller changes, relative to |omega| or in rad, are not informative.
@@ -91,6 +147,18 @@ double largest_speed(std::span<const Row> rows) {
   double speed = 0;
   for (const Row& row : rows) speed = std::max(speed, row.omega.norm());
   return speed;
+}
+
+Measure measure_of_rates(std::span<const Row> rows) {
+  constexpr double clear = 0.3;
+  const double speed = largest_speed(rows);
+  return {miss_of_rates, change_of_rates, 1, too_small * speed, clear * speed};
+}
+
+Measure measure_of_attitude(bool has_rates) {
+  constexpr double clear = 0.5;  // rad
+  if (has_rates) return {miss_of_attitude, change_of_attitude, 1, too_small, clear};
+  return {miss_of_attitude_alone, change_of_attitude, 2, too_small, clear};
 }
 
 }  // namespace
@@ -104,25 +172,21 @@ bool Misfit::fits() const {
   return worst().value_or(0) < follows;
 }
 
-std::optional<double> misfit_of_rates(const Matrix3d& inertia, std::span<const Row> rows,
-                                      std::size_t most_pairs) {
-  return least_ratio(inertia, rows, miss_of_rates, 1, too_small * largest_speed(rows), most_pairs);
-}
-
-std::optional<double> misfit_of_attitude(const Matrix3d& inertia, std::span<const Row> rows,
-                                         bool has_rates, std::size_t most_pairs) {
-  if (has_rates) return least_ratio(inertia, rows, miss_of_attitude, 1, too_small, most_pairs);
-  return least_ratio(inertia, rows, miss_of_attitude_alone, 2, too_small, most_pairs);
-}
-
 Misfit misfit(const Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
               bool has_attitude) {
   Misfit result;
-  if (has_rates) {
-    result.rates = misfit_of_rates(inertia, rows, rows.size());
-  }
-  if (has_attitude) result.attitude = misfit_of_attitude(inertia, rows, has_rates, rows.size());
+  if (has_rates) result.rates = least_ratio(inertia, rows, measure_of_rates(rows));
+  if (has_attitude) result.attitude = least_ratio(inertia, rows, measure_of_attitude(has_rates));
   return result;
+}
+
+std::optional<double> quick_misfit_of_rates(const Matrix3d& inertia, std::span<const Row> rows) {
+  return quick_ratio(inertia, rows, measure_of_rates(rows));
+}
+
+std::optional<double> quick_misfit_of_attitude(const Matrix3d& inertia, std::span<const Row> rows,
+                                               bool has_rates) {
+  return quick_ratio(inertia, rows, measure_of_attitude(has_rates));
 }
 
 }  // namespace twrench::check

@@ -29,12 +29,14 @@ struct Misfit {
 Misfit misfit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
               bool has_attitude);
 
-/// Misfit::rates alone, from at most `most_pairs` pairs of rows for each interval.
-std::optional<double> misfit_of_rates(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
-                                      std::size_t most_pairs);
+/// Misfit::rates from a few pairs of rows between which the rates change clearly: enough to tell
+/// that another law or another reading is far from them, but with less margin than misfit() for
+/// digits and methods.
+std::optional<double> quick_misfit_of_rates(const Eigen::Matrix3d& inertia,
+                                            std::span<const Row> rows);
 
-/// Misfit::attitude alone, likewise.
-std::optional<double> misfit_of_attitude(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
-                                         bool has_rates, std::size_t most_pairs);
+/// Misfit::attitude likewise, between which the body turns clearly.
+std::optional<double> quick_misfit_of_attitude(const Eigen::Matrix3d& inertia,
+                                               std::span<const Row> rows, bool has_rates);
 
 }  // namespace twrench::check
