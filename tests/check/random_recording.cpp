@@ -76,8 +76,9 @@ struct Motion {
 
 Motion random_motion(RecordedBody body, SceneDice& dice) {
   const Vector3d moments = moments_of(body, dice);
+  // Times in ns of a slower motion, taken for s, would exceed the limit of times.
   const double speed = body == RecordedBody::toutatis ? dice.spread(1e-6, 1e-4)
-                       : body == RecordedBody::any    ? dice.spread(1e-6, 1e6)
+                       : body == RecordedBody::any    ? dice.spread(1e-3, 1e6)
                                                       : dice.spread(0.3, 30);
   const Vector3d omega = random_omega(dice, speed);
   // The motion covers a dozen to hundreds of rad.
