@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "base/enumeration.h"
 #include "check/conventions/attitude.h"
 #include "check/conventions/names.h"
 #include "check/conventions/units.h"
@@ -105,6 +108,18 @@ std::vector<std::string> names_in(AttitudeForm form, bool has_rates) {
     case AttitudeForm::euler:
       add(Kind::euler);
       break;
+    case AttitudeForm::rotation_vector:
+      add(Kind::rotation_vector);
+      break;
+    case AttitudeForm::axis_angle:
+      add(Kind::axis_angle);
+      break;
+    case AttitudeForm::mrp:
+      add(Kind::mrp);
+      break;
+    case AttitudeForm::rodrigues:
+      add(Kind::rodrigues);
+      break;
   }
   return names;
 }
@@ -143,6 +158,26 @@ std::vector<double> attitude_numbers(const Matrix3d& X, const Convention& right)
     case AttitudeForm::euler: {
       const Vector3d angles = euler_angles(X, right.sequence) / name_of(angle_unit(right)).in_rad;
       return {angles[0], angles[1], angles[2]};
+    }
+    case AttitudeForm::rotation_vector: {
+      const Vector3d v = so3::log(X) / name_of(angle_unit(right)).in_rad;
+      return {v[0], v[1], v[2]};
+    }
+    case AttitudeForm::axis_angle: {
+      const Eigen::AngleAxisd turn(X);
+      const Vector3d& axis = turn.axis();
+      return {axis[0], axis[1], axis[2], turn.angle() / name_of(angle_unit(right)).in_rad};
+    }
+    case AttitudeForm::mrp: {
+      const Eigen::AngleAxisd turn(X);
+      const Vector3d s = std::tan(turn.angle() / 4) * turn.axis();
+      return {s[0], s[1], s[2]};
+    }
+    case AttitudeForm::rodrigues: {
+      // hat(g) = (X - 1) (X + 1)^-1, Cayley's formula.
+      const Matrix3d one = Matrix3d::Identity();
+      const Vector3d g = so3::vee((X - one) * (X + one).inverse());
+      return {g[0], g[1], g[2]};
     }
   }
   return {};
@@ -253,8 +288,8 @@ RandomRecording recording_with(std::string_view mistake, RecordedBody body, std:
 RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   SceneDice dice(seed, number);
   const Motion motion = random_motion(RecordedBody::any, dice);
-  const auto form = dice.pick(std::vector{AttitudeForm::none, AttitudeForm::matrix,
-                                          AttitudeForm::quaternion, AttitudeForm::euler});
+  const auto& forms = enumerators<AttitudeForm>;
+  const auto form = dice.pick(std::vector(forms.begin(), forms.end()));
   const bool rates = form == AttitudeForm::none || dice.chance(0.85);
   Convention told;
   told.columns = columns_of(form, rates);
@@ -266,8 +301,8 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   right.angle_unit = angle_unit(told);
   if (form == AttitudeForm::euler) {
     if (dice.chance(0.5)) right.sequence = dice.pick(all_sequences());
-    if (dice.chance(0.5)) right.angle_unit = dice.pick(angle_units()).unit;
   }
+  if (has_angles(form) && dice.chance(0.5)) right.angle_unit = dice.pick(angle_units()).unit;
   if (form == AttitudeForm::quaternion && dice.chance(0.5)) move_scalar(right);
   if (form != AttitudeForm::none) right.inverse = dice.chance(0.5);
   if (form != AttitudeForm::none && rates) {

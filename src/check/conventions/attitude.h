@@ -27,4 +27,14 @@ Eigen::Matrix3d rotation_by_euler_angles(const Axes& axes, std::span<const doubl
 /// The rotation matrix of the quaternion w, x, y, z. Its length need not be 1, but must not be 0.
 Eigen::Matrix3d rotation_by_quaternion(std::span<const double, 4> q);
 
+/// The rotation matrix of the rotation vector, the axis times the angle in rad.
+Eigen::Matrix3d rotation_by_vector(const Eigen::Vector3d& v);
+
+/// The rotation matrix of modified Rodrigues parameters, the axis times tan(angle/4). Parameters
+/// and their shadow, -s/|s|^2, have the same matrix.
+Eigen::Matrix3d rotation_by_mrp(const Eigen::Vector3d& s);
+
+/// The rotation matrix of (classical) Rodrigues parameters, the axis times tan(angle/2).
+Eigen::Matrix3d rotation_by_rodrigues(const Eigen::Vector3d& g);
+
 }  // namespace twrench::check

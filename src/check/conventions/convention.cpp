@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/enumeration.h"
 #include "base/letters.h"
 #include "base/nearest.h"
 #include "check/conventions/names.h"
@@ -43,6 +44,30 @@ std::string in_quotes_if_needed(const std::string& name) {
   return quoted + '"';
 }
 
+/// The form of an attitude; nothing for columns that are no attitude.
+std::optional<AttitudeForm> attitude_form_of(Kind kind) {
+  switch (kind) {
+    case Kind::time:
+    case Kind::rates:
+      return std::nullopt;
+    case Kind::matrix:
+      return AttitudeForm::matrix;
+    case Kind::quaternion:
+      return AttitudeForm::quaternion;
+    case Kind::euler:
+      return AttitudeForm::euler;
+    case Kind::rotation_vector:
+      return AttitudeForm::rotation_vector;
+    case Kind::axis_angle:
+      return AttitudeForm::axis_angle;
+    case Kind::mrp:
+      return AttitudeForm::mrp;
+    case Kind::rodrigues:
+      return AttitudeForm::rodrigues;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 TimeUnit time_unit(const Convention& convention) {
@@ -59,9 +84,27 @@ Angle angle_unit(const Convention& convention) {
 }
 
 AttitudeForm attitude_form(const Convention& convention) {
-  if (convention.columns.contains("x11")) return AttitudeForm::matrix;
-  if (convention.columns.contains("qw")) return AttitudeForm::quaternion;
-  return convention.columns.contains("yaw") ? AttitudeForm::euler : AttitudeForm::none;
+  for (const Kind kind : enumerators<Kind>) {
+    const auto form = attitude_form_of(kind);
+    if (form && convention.columns.contains(names_of(kind).front())) return *form;
+  }
+  return AttitudeForm::none;
+}
+
+bool has_angles(AttitudeForm form) {
+  switch (form) {
+    case AttitudeForm::euler:
+    case AttitudeForm::rotation_vector:
+    case AttitudeForm::axis_angle:
+      return true;
+    case AttitudeForm::none:
+    case AttitudeForm::matrix:
+    case AttitudeForm::quaternion:
+    case AttitudeForm::mrp:
+    case AttitudeForm::rodrigues:
+      break;
+  }
+  return false;
 }
 
 bool has_rates(const Convention& convention) { return convention.columns.contains("wx"); }

@@ -11,7 +11,7 @@
 
 namespace twrench::check {
 
-/// The unit of Euler angles.
+/// The unit of Euler angles, and of rotation vectors and their angles.
 enum class Angle { radians, degrees };
 
 /// The unit of angular rates.
@@ -20,8 +20,19 @@ enum class RateUnit { rad_s, deg_s, rev_s, rpm };
 /// The unit of times.
 enum class TimeUnit { s, ms, us, ns, min, h };
 
-/// How a file writes the attitude.
-enum class AttitudeForm { none, matrix, quaternion, euler };
+/// How a file writes the attitude. A rotation vector is the axis times the angle. The (classical)
+/// Rodrigues parameters are the axis times tan(angle/2), the modified ones (MRP) times
+/// tan(angle/4).
+enum class AttitudeForm {
+  none,
+  matrix,
+  quaternion,
+  euler,
+  rotation_vector,
+  axis_angle,
+  mrp,
+  rodrigues
+};
 
 /// How to interpret the columns of a file.
 struct Convention {
@@ -32,7 +43,7 @@ struct Convention {
   std::optional<TimeUnit> time_unit;
   /// The unit of the rates; rad/s if absent.
   std::optional<RateUnit> rate_unit;
-  /// The unit of Euler angles. If absent, it is that of the rates, or radians.
+  /// The unit of angles. If absent, it is that of the rates, or radians.
   std::optional<Angle> angle_unit;
   /// The axes of Euler angles in the order of the rotations, each as turned by the rotations before
   /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty if
@@ -73,6 +84,9 @@ std::string parse_sequence(std::string_view text, const std::string& quantity);
 
 /// The form whose columns the convention has.
 AttitudeForm attitude_form(const Convention& convention);
+
+/// Whether the numbers of this form have a unit of angles.
+bool has_angles(AttitudeForm form);
 
 /// Whether the convention has columns of rates.
 bool has_rates(const Convention& convention);

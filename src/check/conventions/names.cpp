@@ -17,12 +17,17 @@ struct KindRow {
 };
 
 constexpr std::array kind_rows{
-    KindRow{Kind::time, "the time", {"t"}}, KindRow{Kind::rates, "the rates", {"wx", "wy", "wz"}},
+    KindRow{Kind::time, "the time", {"t"}},
+    KindRow{Kind::rates, "the rates", {"wx", "wy", "wz"}},
     KindRow{Kind::matrix,
             "the matrix",
             {"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"}},
     KindRow{Kind::quaternion, "the quaternion", {"qw", "qx", "qy", "qz"}},
-    KindRow{Kind::euler, "the Euler angles", {"yaw", "pitch", "roll"}}};
+    KindRow{Kind::euler, "the Euler angles", {"yaw", "pitch", "roll"}},
+    KindRow{Kind::rotation_vector, "the rotation vector", {"rvx", "rvy", "rvz"}},
+    KindRow{Kind::axis_angle, "the axis and angle", {"axisx", "axisy", "axisz", "angle"}},
+    KindRow{Kind::mrp, "the modified Rodrigues parameters", {"mrpx", "mrpy", "mrpz"}},
+    KindRow{Kind::rodrigues, "the Rodrigues parameters", {"gibbsx", "gibbsy", "gibbsz"}}};
 static_assert(has_row_for_each(kind_rows, &KindRow::kind));
 
 std::map<Kind, std::vector<std::string>> names_of_kinds() {

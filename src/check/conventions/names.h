@@ -7,10 +7,20 @@
 namespace twrench::check {
 
 /// The quantities that columns can give together.
-enum class Kind { time, rates, matrix, quaternion, euler };
+enum class Kind {
+  time,
+  rates,
+  matrix,
+  quaternion,
+  euler,
+  rotation_vector,
+  axis_angle,
+  mrp,
+  rodrigues
+};
 
 /// Our names of the columns of a kind, in their order: "wx", "wy", "wz"; "x11", "x12" ... "x33";
-/// "qw", "qx", "qy", "qz"; "yaw", "pitch", "roll".
+/// "qw", "qx", "qy", "qz"; "yaw", "pitch", "roll"; "rvx", "rvy", "rvz" ...
 const std::vector<std::string>& names_of(Kind kind);
 
 /// All of our names.

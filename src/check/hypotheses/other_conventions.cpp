@@ -75,6 +75,10 @@ StatedUnit stated_of(const table::Header& header, const Convention& convention,
 
 Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }
 
+void add_angle_units(std::vector<Convention>& list, const StatedUnit& stated) {
+  if (!stated.rate) also(list, [](Convention& c) { c.angle_unit = other(angle_unit(c)); });
+}
+
 }  // namespace
 
 std::vector<Convention> attitude_readings(const table::Header& header,
@@ -84,6 +88,8 @@ std::vector<Convention> attitude_readings(const table::Header& header,
     case AttitudeForm::none:
       return list;
     case AttitudeForm::matrix:
+    case AttitudeForm::mrp:
+    case AttitudeForm::rodrigues:
       break;
     case AttitudeForm::quaternion:
       add_quaternion_orders(list);
@@ -93,9 +99,13 @@ std::vector<Convention> attitude_readings(const table::Header& header,
       break;
     case AttitudeForm::euler:
       add_sequences(list);
-      if (!stated_of(header, convention, "yaw").rate) {
-        also(list, [](Convention& c) { c.angle_unit = other(angle_unit(c)); });
-      }
+      add_angle_units(list, stated_of(header, convention, "yaw"));
+      break;
+    case AttitudeForm::rotation_vector:
+      add_angle_units(list, stated_of(header, convention, "rvx"));
+      break;
+    case AttitudeForm::axis_angle:
+      add_angle_units(list, stated_of(header, convention, "angle"));
       break;
   }
   also(list, [](Convention& c) { c.inverse = !c.inverse; });

@@ -20,7 +20,7 @@ namespace {
 /// The columns of one group, by component.
 struct Group {
   std::vector<std::vector<std::size_t>> columns;
-  bool in_space = false, is_open = false;
+  bool in_space = false, is_open = false, is_weak = false;
 };
 
 std::size_t present(const Group& group) {
@@ -70,6 +70,7 @@ std::map<std::string, Group> find_groups(const table::Header& header, Kind kind)
       group.columns[role.component].push_back(column);
       group.in_space = role.in_space;
       group.is_open = role.is_open;
+      group.is_weak = role.is_weak;
     }
   }
   return groups;
@@ -83,8 +84,9 @@ void require_no_rest(const table::Header& header, Kind kind,
   const std::size_t most = all == 9 ? 6 : all - 1;
   for (const auto& [name, group] : groups) {
     // Single letters and numbers often mean something else, so they are no evidence.
-    const bool is_evidence = !group.is_open && !name.starts_with("pqr") && !name.starts_with("0") &&
-                             !name.starts_with("1") && !name.starts_with("one");
+    const bool is_evidence = !group.is_open && !group.is_weak && !name.starts_with("pqr") &&
+                             !name.starts_with("0") && !name.starts_with("1") &&
+                             !name.starts_with("one");
     if (all == 1 || !is_evidence || present(group) < most) continue;
     std::vector<std::string> found;
     std::string missing;
@@ -126,7 +128,7 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
     if (group.is_open) {
       std::ranges::move(orders_of(kind, columns), std::back_inserter(sets));
     } else {
-      sets.push_back({kind, columns, group.in_space});
+      sets.push_back({kind, columns, group.in_space, group.is_weak});
     }
   }
   if (sets.empty()) require_no_rest(header, kind, groups);

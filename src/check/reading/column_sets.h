@@ -13,6 +13,7 @@ struct ColumnSet {
   Kind kind;
   std::vector<std::size_t> columns;  ///< in the order of names_of(kind)
   bool in_space = false;             ///< whether the names place the rates in space axes
+  bool is_weak = false;              ///< whether the names have other usual meanings
 };
 
 /// Finds the columns of a kind by their names, and returns every set that the names allow. Our own

@@ -61,10 +61,11 @@ bool are_of_rates(const Words& words) {
   const List about{"ang", "angular", "rotation", "rotational"};
   const List of_motion{"vel", "velocity", "speed"};
   const List frames{"inertial", "ei", "eci", "earth"};
+  const List relative{"bn", "bi", "ib", "nb"};  // of the body, relative to an inertial frame
   const List others{"body", "b", "imu", "sensor", "wrt", "space", "world", "global", "true"};
   for (const std::string& word : words) {
     const bool is_known = is_in(rates, word) || is_in(about, word) || is_in(of_motion, word) ||
-                          is_in(frames, word) || is_in(others, word);
+                          is_in(frames, word) || is_in(relative, word) || is_in(others, word);
     if (!is_known) return false;
   }
   // "omega_inertial_x" may be in the axes of inertial space, or relative to it.
@@ -176,6 +177,124 @@ void add_matrix(const Words& words, std::vector<Role>& roles) {
   if (*index > 0) roles.push_back({"one from 1:" + name, *index - 1, false, is_open});
 }
 
+/// The alphabets of the components of a vector.
+const std::vector<Alphabet>& vector_axes() {
+  static const std::vector<Alphabet> axes{{"xyz", {{"x"}, {"y"}, {"z"}}},
+                                          {"123", {{"1"}, {"2"}, {"3"}}},
+                                          {"012", {{"0"}, {"1"}, {"2"}}}};
+  return axes;
+}
+
+/// Adds the roles of a component of a vector, whose word is the last one. `is_named` is whether the
+/// words before it name the vector.
+template <typename IsNamed>
+void add_vector(const Words& words, const IsNamed& is_named, bool is_weak,
+                std::vector<Role>& roles) {
+  if (words.size() < 2) return;
+  const Words rest = without(words, words.size() - 1);
+  if (!is_named(rest)) return;
+  for (const Alphabet& alphabet : vector_axes()) {
+    const auto component = component_of(alphabet, words.back());
+    if (!component) continue;
+    roles.push_back({fmt::format("{}:{}", alphabet.name, fmt::join(rest, " ")), *component, false,
+                     false, is_weak});
+  }
+}
+
+/// The component, if the name is one of these stems and an axis in one word: "rotvecx".
+std::optional<std::size_t> joined_component(const Words& words, List stems) {
+  if (words.size() != 1 || words[0].size() < 2) return std::nullopt;
+  const std::string_view word = words[0];
+  if (!is_in(stems, word.substr(0, word.size() - 1))) return std::nullopt;
+  return component_of(vector_axes().front(), word.substr(word.size() - 1));
+}
+
+void add_rotation_vector(const Words& all_words, std::vector<Role>& roles) {
+  const Words words = stated_unit(all_words).other_words;
+  const auto is_named = [](const Words& rest) {
+    const List names{"rv",        "rotvec",    "rvec",      "prv",
+                     "rotvector", "axisangle", "angleaxis", "expmap"};
+    const bool is_pair = (has_any(rest, {"rotation", "rot"}) && has_any(rest, {"vector", "vec"})) ||
+                         (has_any(rest, {"axis"}) && has_any(rest, {"angle"}));
+    return (has_any(rest, names) || is_pair) &&
+           std::ranges::all_of(rest, [&](const std::string& word) {
+             return is_in(names, word) ||
+                    is_in({"rotation", "rot", "vector", "vec", "axis", "angle", "principal",
+                           "attitude", "att", "orientation", "body"},
+                          word);
+           });
+  };
+  add_vector(words, is_named, false, roles);
+  if (const auto component = joined_component(words, {"rv", "rotvec", "rvec"})) {
+    roles.push_back({"joined", *component});
+  }
+  // A vector r is a position, too.
+  add_vector(
+      words, [](const Words& rest) { return rest == Words{"r"}; }, true, roles);
+  if (const auto component = joined_component(words, {"r"})) {
+    roles.push_back({"r", *component, false, false, true});
+  }
+}
+
+void add_axis_angle(const Words& all_words, std::vector<Role>& roles) {
+  const Words words = stated_unit(all_words).other_words;
+  if (words == Words{"angle"} || words == Words{"theta"} || words == Words{"axis", "angle"}) {
+    for (const char* group : {"a", "axis", "xyz:axis", "123:axis", "012:axis"}) {
+      roles.push_back({group, 3, false, false, true});
+    }
+    return;
+  }
+  const auto is_named = [](const Words& rest) { return rest == Words{"axis"}; };
+  add_vector(words, is_named, true, roles);
+  // A vector a is an acceleration, too.
+  if (const auto component = joined_component(words, {"a"})) {
+    roles.push_back({"a", *component, false, false, true});
+  }
+  if (const auto component = joined_component(words, {"axis"})) {
+    roles.push_back({"axis", *component, false, false, true});
+  }
+}
+
+void add_mrp(const Words& words, std::vector<Role>& roles) {
+  const List frames{"bn", "bi", "body"};
+  const auto is_named = [&](const Words& rest) {
+    const List names{"mrp", "mrps"};
+    const bool is_modified = has_any(rest, {"modified"}) && has_any(rest, {"rodrigues"});
+    return (has_any(rest, names) || is_modified) &&
+           std::ranges::all_of(rest, [&](const std::string& word) {
+             return is_in(names, word) || is_in(frames, word) ||
+                    is_in({"sigma", "modified", "rodrigues", "parameter", "parameters", "params",
+                           "attitude", "att"},
+                          word);
+           });
+  };
+  add_vector(words, is_named, false, roles);
+  if (const auto component = joined_component(words, {"mrp"}))
+    roles.push_back({"joined", *component});
+  // sigma_x, sigma_y, sigma_z are rather standard deviations, and sigma_1 ... may be stresses.
+  const auto is_sigma = [&](const Words& rest) {
+    return rest[0] == "sigma" && has_only(without(rest, 0), frames);
+  };
+  const bool has_axis = is_in({"x", "y", "z"}, words.back());
+  const bool has_frame = has_any(words, frames);
+  if (has_frame || !has_axis) add_vector(words, is_sigma, !has_frame, roles);
+}
+
+void add_rodrigues(const Words& words, std::vector<Role>& roles) {
+  const auto is_named = [](const Words& rest) {
+    const List names{"rodrigues", "gibbs", "crp", "crps"};
+    return has_any(rest, names) && std::ranges::all_of(rest, [&](const std::string& word) {
+             return is_in(names, word) || is_in({"classical", "vector", "parameter", "parameters",
+                                                 "params", "bn", "body", "attitude", "att"},
+                                                word);
+           });
+  };
+  add_vector(words, is_named, false, roles);
+  if (const auto component = joined_component(words, {"gibbs", "crp"})) {
+    roles.push_back({"joined", *component});
+  }
+}
+
 void add_time(const Words& all_words, std::vector<Role>& roles) {
   const StatedUnit unit = stated_unit(all_words);
   const Words& words = unit.other_words;
@@ -205,6 +324,18 @@ std::vector<Role> roles_of(const std::vector<std::string>& words, Kind kind) {
       break;
     case Kind::euler:
       add_euler(words, roles);
+      break;
+    case Kind::rotation_vector:
+      add_rotation_vector(words, roles);
+      break;
+    case Kind::axis_angle:
+      add_axis_angle(words, roles);
+      break;
+    case Kind::mrp:
+      add_mrp(words, roles);
+      break;
+    case Kind::rodrigues:
+      add_rodrigues(words, roles);
       break;
   }
   return roles;

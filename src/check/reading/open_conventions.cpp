@@ -19,7 +19,9 @@
 namespace twrench::check {
 namespace {
 
-constexpr std::array attitudes{Kind::matrix, Kind::quaternion, Kind::euler};
+constexpr std::array attitudes{Kind::matrix,          Kind::quaternion, Kind::euler,
+                               Kind::rotation_vector, Kind::axis_angle, Kind::mrp,
+                               Kind::rodrigues};
 
 /// The columns of the time, the rates and the attitude in one reading of the file; either of the
 /// last two may be missing.
@@ -104,6 +106,16 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
   return found;
 }
 
+/// The attitudes by the names of their columns. Names that have other usual meanings count only if
+/// no others are there.
+std::vector<ColumnSet> find_attitudes(const table::Header& header) {
+  std::vector<ColumnSet> found;
+  for (const Kind kind : attitudes)
+    std::ranges::move(find_sets(header, kind), std::back_inserter(found));
+  if (!std::ranges::all_of(found, &ColumnSet::is_weak)) std::erase_if(found, &ColumnSet::is_weak);
+  return found;
+}
+
 bool is_without_names(const table::Header& header) {
   for (std::size_t i = 0; i < header.names.size(); ++i) {
     if (header.names[i] != fmt::format("#{}", i + 1)) return false;
@@ -147,10 +159,7 @@ std::vector<ColumnChoice> column_choices(const table::Header& header, const Conv
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
     rates = or_nothing(find_sets(header, Kind::rates));
-    std::vector<ColumnSet> found;
-    for (const Kind kind : attitudes)
-      std::ranges::move(find_sets(header, kind), std::back_inserter(found));
-    attitude = or_nothing(found);
+    attitude = or_nothing(find_attitudes(header));
   }
   if (!rates.front() && !attitude.front()) {
     throw ColumnError(header.file, "", "no columns have names of rates or of an attitude",
@@ -236,7 +245,7 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   }
   if (!choice.attitude) return convention;
   add_columns(header, *choice.attitude, convention);
-  if (choice.attitude->kind == Kind::euler) {
+  if (has_angles(attitude_form(convention))) {
     std::optional<Angle> said_angle = said.angle_unit;
     if (!said_angle && said.rate_unit) said_angle = angle_of(*said.rate_unit);
     convention.angle_unit = unit_of_set(header, *choice.attitude, said_angle, angle_in);

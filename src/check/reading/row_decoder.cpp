@@ -20,9 +20,31 @@ namespace {
 
 using Eigen::Matrix3d;
 
+/// The kind of the columns of a form other than `none`.
 Kind kind_of(AttitudeForm form) {
-  if (form == AttitudeForm::matrix) return Kind::matrix;
-  return form == AttitudeForm::quaternion ? Kind::quaternion : Kind::euler;
+  switch (form) {
+    case AttitudeForm::none:
+    case AttitudeForm::matrix:
+      return Kind::matrix;
+    case AttitudeForm::quaternion:
+      return Kind::quaternion;
+    case AttitudeForm::euler:
+      return Kind::euler;
+    case AttitudeForm::rotation_vector:
+      return Kind::rotation_vector;
+    case AttitudeForm::axis_angle:
+      return Kind::axis_angle;
+    case AttitudeForm::mrp:
+      return Kind::mrp;
+    case AttitudeForm::rodrigues:
+      return Kind::rodrigues;
+  }
+  return Kind::matrix;
+}
+
+/// The first three numbers.
+Eigen::Vector3d vector_of(std::span<const table::Number> numbers) {
+  return {numbers[0].value, numbers[1].value, numbers[2].value};
 }
 
 /// Returns the index of a component in (w, x, y, z); nothing if the name is empty.
@@ -90,6 +112,11 @@ std::span<const table::Number> RowDecoder::attitude_in(
   return numbers.subspan(has_rates_ ? 4 : 1);
 }
 
+// The components of an axis have no unit.
+double RowDecoder::attitude_unit() const {
+  return has_angles(form_) && form_ != AttitudeForm::axis_angle ? angle_unit_ : 1.0;
+}
+
 void RowDecoder::decode(std::span<const table::Number> numbers, Row& row) const {
   require_finite(numbers);
   row.t = second_ * ((numbers[0].value - first_time_.value) + (numbers[0].rest - first_time_.rest));
@@ -138,9 +165,8 @@ void RowDecoder::require_within_limits(std::span<const table::Number> numbers,
   for (std::size_t i = 1; i <= rates; ++i) {
     require(i, rate_unit_ * numbers[i].value, most, "rad/s", "correct or remove the row");
   }
-  for (std::size_t i = 1; form_ == AttitudeForm::euler && i <= 3; ++i) {
-    require(rates + i, angle_unit_ * numbers[rates + i].value, most, "rad",
-            "correct or remove the row");
+  for (std::size_t i = rates + 1; has_angles(form_) && i < numbers.size(); ++i) {
+    require(i, angle_unit_ * numbers[i].value, most, "rad", "correct or remove the row");
   }
   constexpr double least = 1e-100;  // rad/s
   if (rates == 0 || row.omega.squaredNorm() >= least * least) return;
@@ -165,6 +191,18 @@ void RowDecoder::decode_attitude(std::span<const table::Number> numbers, Row& ro
       break;
     case AttitudeForm::euler:
       decode_euler(numbers, row);
+      break;
+    case AttitudeForm::rotation_vector:
+      row.X = rotation_by_vector(angle_unit_ * vector_of(numbers));
+      break;
+    case AttitudeForm::axis_angle:
+      decode_axis_angle(numbers, row);
+      break;
+    case AttitudeForm::mrp:
+      row.X = rotation_by_mrp(vector_of(numbers));
+      break;
+    case AttitudeForm::rodrigues:
+      row.X = rotation_by_rodrigues(vector_of(numbers));
       break;
   }
   if (inverse_) row.X.transposeInPlace();
@@ -220,6 +258,18 @@ void RowDecoder::decode_euler(std::span<const table::Number> numbers, Row& row) 
   std::array<double, 3> angles{};
   for (std::size_t i = 0; i < 3; ++i) angles[i] = angle_unit_ * numbers[i].value;
   row.X = rotation_by_euler_angles(sequence_, angles);
+}
+
+void RowDecoder::decode_axis_angle(std::span<const table::Number> numbers, Row& row) const {
+  const Eigen::Vector3d axis = vector_of(numbers);
+  const double length = axis.stableNorm(), angle = angle_unit_ * numbers[3].value;
+  constexpr double most = 0.1;  // as for quaternions
+  if (angle != 0 && !(std::abs(length - 1) <= most)) {
+    throw bad_attitude(fmt::format("the length of its axis is {:.6g} instead of 1", length),
+                       "normalise it, or choose other columns");
+  }
+  // Without a rotation, there may be no axis.
+  row.X = angle == 0 ? Matrix3d::Identity() : rotation_by_vector(angle / length * axis);
 }
 
 }  // namespace twrench::check

@@ -35,8 +35,8 @@ class RowDecoder {
   /// The file's unit of times in s, and its unit of rates in rad/s.
   double second() const { return second_; }
   double rate_unit() const { return rate_unit_; }
-  /// The unit of the attitude's numbers in rad; 1 if they are not angles.
-  double attitude_unit() const { return form_ == AttitudeForm::euler ? angle_unit_ : 1.0; }
+  /// The unit of the attitude's numbers in rad; 1 if they are not all angles.
+  double attitude_unit() const;
 
   /// Sets the row whose time is 0: that of the first row. Digits that a clock counting from 1970
   /// needs for its years are then not lost, because the numbers are subtracted before they are
@@ -57,6 +57,7 @@ class RowDecoder {
   void decode_matrix(std::span<const table::Number> entries, Row& row) const;
   void decode_quaternion(std::span<const table::Number> numbers, Row& row) const;
   void decode_euler(std::span<const table::Number> numbers, Row& row) const;
+  void decode_axis_angle(std::span<const table::Number> numbers, Row& row) const;
   table::BadTable bad_attitude(const std::string& why, const std::string& remedy) const;
 
   AttitudeForm form_;

@@ -45,6 +45,11 @@ std::string fit_text(const table::Header& header, const Convention& convention) 
       return fmt::format("these angles fit in the sequence {}, {}", convention.sequence, frames);
     case AttitudeForm::matrix:
       return fmt::format("these matrices fit as {}", frames);
+    case AttitudeForm::rotation_vector:
+    case AttitudeForm::axis_angle:
+    case AttitudeForm::mrp:
+    case AttitudeForm::rodrigues:
+      return fmt::format("these rotations fit as {}", frames);
     case AttitudeForm::none:
       break;
   }

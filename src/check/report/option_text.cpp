@@ -23,7 +23,7 @@ std::string option_text(const Convention& before, const Convention& after) {
   // The unit of angles that follows from --units alone.
   Convention implied = before;
   if (rate_unit(after) != rate_unit(before)) implied.rate_unit = rate_unit(after);
-  if (attitude_form(after) == AttitudeForm::euler && angle_unit(after) != angle_unit(implied)) {
+  if (has_angles(attitude_form(after)) && angle_unit(after) != angle_unit(implied)) {
     options.push_back(std::string("--angle-units ") + name_of(angle_unit(after)).option);
   }
   if (after.sequence != before.sequence) options.push_back("--sequence " + after.sequence);

@@ -140,11 +140,26 @@ double digit(double printed, double scale, double deviation) {
 }
 
 /// One unit of the last digit of an attitude as an angle, rad: for entries of about 1, or for the
-/// largest Euler angles. A quaternion contains half the angle.
+/// largest angles. A quaternion and Rodrigues parameters contain half the angle, the modified ones
+/// a quarter.
 double printed_angle(const RowReader& reader) {
   const Resolution resolution = reader.attitude_resolution();
-  if (reader.attitude() == AttitudeForm::euler) return resolution.at(std::numbers::pi);
-  return (reader.attitude() == AttitudeForm::quaternion ? 2 : 1) * resolution.at(1);
+  switch (reader.attitude()) {
+    case AttitudeForm::none:
+    case AttitudeForm::matrix:
+      break;
+    case AttitudeForm::quaternion:
+    case AttitudeForm::rodrigues:
+      return 2 * resolution.at(1);
+    case AttitudeForm::mrp:
+      return 4 * resolution.at(1);
+    case AttitudeForm::euler:
+    case AttitudeForm::rotation_vector:
+      return resolution.at(std::numbers::pi);
+    case AttitudeForm::axis_angle:
+      return std::numbers::pi * resolution.at(1);
+  }
+  return resolution.at(1);
 }
 
 LastDigits digits_of(const RowReader& reader, const Comparison& comparison, const Noise& noise) {

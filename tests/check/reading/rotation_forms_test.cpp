@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "check/conventions/attitude.h"
+#include "check/reading/open_conventions.h"
+#include "check/reading/row_reader.h"
+#include "table/error.h"
+
+namespace twrench::check {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+constexpr double one_degree = std::numbers::pi / 180;
+
+/// The columns of each reading, as the user would give them.
+std::vector<std::string> columns_by_name(std::vector<std::string> names) {
+  std::vector<std::string> all;
+  for (const Convention& convention : conventions({"run.csv", std::move(names), {}}, {})) {
+    all.push_back(format_columns(convention.columns));
+  }
+  return all;
+}
+
+/// The attitude in the first row.
+Matrix3d attitude_in(const std::string& text) {
+  auto table = table::open_table("run.csv", std::string_view(text));
+  const auto all = conventions(table->header(), {});
+  EXPECT_THAT(all, SizeIs(1));
+  RowReader reader(std::move(table), all.front());
+  Row row;
+  EXPECT_TRUE(reader.next(row));
+  return row.X;
+}
+
+std::string rotation_refusal(const std::string& text) {
+  try {
+    attitude_in(text);
+  } catch (const table::BadTable& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Any rotation.
+const double angle = 1.3;
+const Vector3d axis = Vector3d(1, -2, 3).normalized();
+const Matrix3d turn = AngleAxisd(angle, axis).toRotationMatrix();
+
+std::string row_of(const char* names, const Vector3d& v) {
+  return fmt::format("t,{}\n0,{:.17g},{:.17g},{:.17g}\n", names, v[0], v[1], v[2]);
+}
+
+TEST(RotationForms, AreFoundByTheirNames) {
+  for (const char* stem : {"rotvec_", "rv_", "rotation_vector.", "axisangle_", "prv_"}) {
+    const std::string s(stem);
+    EXPECT_THAT(columns_by_name({"t", s + "x", s + "y", s + "z"}),
+                ElementsAre(fmt::format("t=t,rvx={0}x,rvy={0}y,rvz={0}z", s)))
+        << stem;
+  }
+  EXPECT_THAT(columns_by_name({"t", "rx", "ry", "rz"}), ElementsAre("t=t,rvx=rx,rvy=ry,rvz=rz"));
+  EXPECT_THAT(columns_by_name({"t", "rotvec[0]", "rotvec[1]", "rotvec[2]"}),
+              ElementsAre("t=t,rvx=rotvec[0],rvy=rotvec[1],rvz=rotvec[2]"));
+  EXPECT_THAT(columns_by_name({"t", "ax", "ay", "az", "angle"}),
+              ElementsAre("t=t,axisx=ax,axisy=ay,axisz=az,angle=angle"));
+  for (const char* stem : {"sigma_BN_", "sigma_", "mrp_", "MRP", "modified_rodrigues_"}) {
+    const std::string s(stem);
+    EXPECT_THAT(columns_by_name({"t", s + "1", s + "2", s + "3"}),
+                ElementsAre(fmt::format("t=t,mrpx={0}1,mrpy={0}2,mrpz={0}3", s)))
+        << stem;
+  }
+  for (const char* stem : {"rodrigues_", "gibbs_", "crp"}) {
+    const std::string s(stem);
+    EXPECT_THAT(columns_by_name({"t", s + "1", s + "2", s + "3"}),
+                ElementsAre(fmt::format("t=t,gibbsx={0}1,gibbsy={0}2,gibbsz={0}3", s)))
+        << stem;
+  }
+}
+
+TEST(RotationForms, StandBesideRatesInFramesOfBasilisk) {
+  EXPECT_THAT(columns_by_name({"time_ns", "sigma_BN_1", "sigma_BN_2", "sigma_BN_3", "omega_BN_B_1",
+                               "omega_BN_B_2", "omega_BN_B_3"}),
+              ElementsAre("t=time_ns,wx=omega_BN_B_1,wy=omega_BN_B_2,wz=omega_BN_B_3,"
+                          "mrpx=sigma_BN_1,mrpy=sigma_BN_2,mrpz=sigma_BN_3"));
+}
+
+// r may be a position, a an acceleration, and sigma a stress.
+TEST(RotationForms, NamesWithOtherMeaningsGiveWayToAnAttitude) {
+  const char* const quaternion = "t=t,qw=qw,qx=qx,qy=qy,qz=qz";
+  EXPECT_THAT(columns_by_name({"t", "qw", "qx", "qy", "qz", "rx", "ry", "rz"}),
+              ElementsAre(quaternion));
+  EXPECT_THAT(columns_by_name({"t", "qw", "qx", "qy", "qz", "ax", "ay", "az", "angle"}),
+              ElementsAre(quaternion));
+  EXPECT_THAT(columns_by_name({"t", "qw", "qx", "qy", "qz", "sigma_1", "sigma_2", "sigma_3"}),
+              ElementsAre(quaternion));
+  EXPECT_THAT(columns_by_name({"t", "qw", "qx", "qy", "qz", "mrp_1", "mrp_2", "mrp_3"}), SizeIs(2));
+}
+
+// These are rather standard deviations.
+TEST(RotationForms, DoNotTakeSigmaWithLettersForParameters) {
+  EXPECT_THAT(columns_by_name({"t", "wx", "wy", "wz", "sigma_x", "sigma_y", "sigma_z"}),
+              ElementsAre("t=t,wx=wx,wy=wy,wz=wz"));
+}
+
+TEST(RotationForms, AreDecoded) {
+  constexpr double rounding = 1e-14;
+  EXPECT_TRUE(attitude_in(row_of("rx,ry,rz", angle * axis)).isApprox(turn, rounding));
+  EXPECT_TRUE(attitude_in(row_of("rx_deg,ry_deg,rz_deg", angle / one_degree * axis))
+                  .isApprox(turn, rounding));
+  const Vector3d mrp = std::tan(angle / 4) * axis;
+  EXPECT_TRUE(attitude_in(row_of("mrp_x,mrp_y,mrp_z", mrp)).isApprox(turn, rounding));
+  const Vector3d shadow = -mrp / mrp.squaredNorm();
+  EXPECT_TRUE(attitude_in(row_of("mrp_x,mrp_y,mrp_z", shadow)).isApprox(turn, rounding));
+  const Vector3d gibbs = std::tan(angle / 2) * axis;
+  EXPECT_TRUE(attitude_in(row_of("gibbs_x,gibbs_y,gibbs_z", gibbs)).isApprox(turn, rounding));
+}
+
+TEST(RotationForms, AxisAndAngleAreDecoded) {
+  const auto row = [](const char* names, const Vector3d& along, double about) {
+    return fmt::format("t,{}\n0,{:.17g},{:.17g},{:.17g},{:.17g}\n", names, along[0], along[1],
+                       along[2], about);
+  };
+  const char* const names = "axis_x,axis_y,axis_z,angle_deg";
+  EXPECT_TRUE(attitude_in(row(names, axis, angle / one_degree)).isApprox(turn, 1e-14));
+  EXPECT_TRUE(attitude_in(row(names, Vector3d::Zero(), 0)).isIdentity(0));
+  EXPECT_THAT(rotation_refusal(row(names, 2 * axis, 30)), HasSubstr("length of its axis is 2"));
+}
+
+// Numbers from SciPy 1.10: Rotation.from_euler("ZYX", [0.3, -1.1, 2.2]).as_rotvec() and as_mrp().
+TEST(RotationForms, AgreeWithScipy) {
+  const Matrix3d X = rotation_by_euler_angles(axes_of("zyx"), std::array{0.3, -1.1, 2.2});
+  EXPECT_TRUE(
+      rotation_by_vector(Vector3d(2.0750455548735558, -0.31886910393641982, 1.3673530273669008))
+          .isApprox(X, 1e-14));
+  EXPECT_TRUE(
+      rotation_by_mrp(Vector3d(0.59925807995913305, -0.092087080466468144, 0.3948816197705729))
+          .isApprox(X, 1e-14));
+}
+
+TEST(RotationForms, NumbersOfAnySizeAreRotations) {
+  for (const double size : {0.0, 1e-300, 1e-8, 1.0, 1e8, 1e300}) {
+    for (const auto& rotation : {rotation_by_mrp, rotation_by_rodrigues}) {
+      EXPECT_TRUE(rotation(size * axis).isUnitary(1e-12)) << size;
+    }
+  }
+  EXPECT_TRUE(rotation_by_vector({1e-300, 0, 0}).isIdentity(1e-15));
+}
+
+}  // namespace
+}  // namespace twrench::check
