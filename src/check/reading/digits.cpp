@@ -75,9 +75,9 @@ void NarrowFormat::add(const table::Number& number) {
   const double allowed = place / 2 + rounding * std::abs(number.value);
   all_ = std::abs(number.value - nearest) <= allowed;
   if (!all_ || evidence_ > enough_evidence) return;
-  // A number of few bits, such as 0.5, is a value of any format.
+  // A number of few bits, such as 0.5, is a value of any format, and so is a whole number.
   const double few_bits = std::ldexp(spacing, bits_ / 2);
-  const bool is_round = std::fmod(nearest, few_bits) == 0;
+  const bool is_round = std::fmod(nearest, std::min(few_bits, 1.0)) == 0;
   if (!is_round) evidence_ += std::max(0.0, std::log2(spacing / (2 * allowed)));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +20,13 @@ namespace twrench::check {
 namespace {
 
 using Eigen::Matrix3d;
+
+double length_of(std::span<const table::Number> q) {
+  return Eigen::Vector4d(q[0].value, q[1].value, q[2].value, q[3].value).stableNorm();
+}
+
+/// A quaternion that drifts is judged; any other is rejected, as with matrices.
+constexpr double most_drift = 0.1;
 
 /// The kind of the columns of a form other than `none`.
 Kind kind_of(AttitudeForm form) {
@@ -40,6 +48,20 @@ Kind kind_of(AttitudeForm form) {
       return Kind::rodrigues;
   }
   return Kind::matrix;
+}
+
+/// How far the length of a quaternion may be from that of the first row, because both were rounded
+/// or truncated to their last digits. Quaternions of varying length are no scaled rotations.
+double allowed_for_rounding(std::span<const table::Number> q) {
+  int decimals = std::numeric_limits<int>::min();
+  bool are_whole = true;
+  for (const table::Number& number : q) {
+    decimals = std::max(decimals, number.decimals);
+    are_whole = are_whole && number.value == std::trunc(number.value);
+  }
+  constexpr double places = 4, of_float32 = 1e-6;
+  const double last_place = are_whole ? 1 : std::pow(10.0, -decimals);
+  return places * last_place + of_float32 * length_of(q);
 }
 
 /// The first three numbers.
@@ -112,8 +134,18 @@ std::span<const table::Number> RowDecoder::attitude_in(
   return numbers.subspan(has_rates_ ? 4 : 1);
 }
 
+void RowDecoder::set_first_row(std::span<const table::Number> numbers) {
+  first_time_ = numbers[0];
+  if (form_ != AttitudeForm::quaternion) return;
+  const double length = length_of(attitude_in(numbers));
+  constexpr double least = 1e-6, most = 1e20;  // of 64-bit integers
+  const bool is_scaled = std::abs(length - 1) > most_drift && length >= least && length <= most;
+  quaternion_length_ = is_scaled ? length : 1;
+}
+
 // The components of an axis have no unit.
 double RowDecoder::attitude_unit() const {
+  if (form_ == AttitudeForm::quaternion) return 1 / quaternion_length_;
   return has_angles(form_) && form_ != AttitudeForm::axis_angle ? angle_unit_ : 1.0;
 }
 
@@ -243,15 +275,25 @@ void RowDecoder::decode_quaternion(std::span<const table::Number> numbers, Row& 
   for (std::size_t i = 0; i < 4; ++i) q[i] = numbers[i].value;
   if (negated_) q[*negated_] *= -1;
   const double length = Eigen::Map<const Eigen::Vector4d>(q.data()).stableNorm();
-  // A quaternion that drifts is judged; any other is rejected, as with matrices.
-  constexpr double most = 0.1;
-  if (!(std::abs(length - 1) <= most)) {
-    throw bad_attitude(length == 0 ? "it is zero, which is not a valid attitude"
-                                   : fmt::format("its length is {:.6g} instead of 1", length),
-                       "normalise it, or choose other columns");
+  const double relative = length / quaternion_length_;
+  if (!(std::abs(relative - 1) <= most_drift)) throw bad_quaternion(length);
+  if (quaternion_length_ != 1 &&
+      std::abs(length - quaternion_length_) > allowed_for_rounding(numbers)) {
+    throw bad_quaternion(length);
   }
   row.X = rotation_by_quaternion(q);
-  row.orthogonality_error = std::abs(length * length - 1);
+  row.orthogonality_error = std::abs(relative * relative - 1);
+}
+
+table::BadTable RowDecoder::bad_quaternion(double length) const {
+  if (length == 0) {
+    return bad_attitude("it is zero, which is not a valid attitude",
+                        "remove the row, or choose other columns");
+  }
+  const bool is_scaled = quaternion_length_ != 1;
+  return bad_attitude(fmt::format("its length is {:.6g} instead of {:.6g}{}", length,
+                                  quaternion_length_, is_scaled ? " as in the first row" : ""),
+                      "normalise it, or choose other columns");
 }
 
 void RowDecoder::decode_euler(std::span<const table::Number> numbers, Row& row) const {

@@ -40,10 +40,13 @@ class RowDecoder {
 
   /// Sets the row whose time is 0: that of the first row. Digits that a clock counting from 1970
   /// needs for its years are then not lost, because the numbers are subtracted before they are
-  /// converted.
-  void set_first_row(std::span<const table::Number> numbers) { first_time_ = numbers[0]; }
+  /// converted. The row also determines the length of quaternions.
+  void set_first_row(std::span<const table::Number> numbers);
   /// The time of the first row in s, on the file's clock.
   double first_time() const { return second_ * first_time_.value; }
+  /// The length that all quaternions have up to rounding: 1, unless that of the first row is far
+  /// from it, as in a file of integers.
+  double quaternion_length() const { return quaternion_length_; }
 
   /// Sets everything in the row except its number. Throws table::BadTable if the numbers are not
   /// finite, beyond the limits of times and rates, or not a rotation.
@@ -55,6 +58,7 @@ class RowDecoder {
   void require_within_limits(std::span<const table::Number> numbers, const Row& row) const;
   void decode_attitude(std::span<const table::Number> numbers, Row& row) const;
   void decode_matrix(std::span<const table::Number> entries, Row& row) const;
+  table::BadTable bad_quaternion(double length) const;
   void decode_quaternion(std::span<const table::Number> numbers, Row& row) const;
   void decode_euler(std::span<const table::Number> numbers, Row& row) const;
   void decode_axis_angle(std::span<const table::Number> numbers, Row& row) const;
@@ -64,6 +68,7 @@ class RowDecoder {
   bool has_rates_, rates_in_space_, inverse_, changes_axes_;
   std::optional<std::size_t> negated_;  ///< index of Convention::negated in (w, x, y, z)
   double second_, rate_unit_, angle_unit_;
+  double quaternion_length_ = 1;
   Axes sequence_{2, 1, 0};
   Eigen::Matrix3d body_from_file_;  ///< applies to the rates
   Eigen::Matrix3d turned_by_;       ///< multiplies the attitude from the right

@@ -69,6 +69,8 @@ bool RowReader::has_rates() const { return state_->decoder.has_rates(); }
 
 double RowReader::first_time() const { return state_->decoder.first_time(); }
 
+double RowReader::quaternion_length() const { return state_->decoder.quaternion_length(); }
+
 AttitudeForm RowReader::attitude() const { return state_->decoder.attitude(); }
 
 bool RowReader::next(Row& row) {

@@ -28,6 +28,9 @@ class RowReader {
   /// The time of the first row in s, on the file's clock; known after it was read.
   double first_time() const;
 
+  /// The length of the quaternions, known after the first row was read; 1 for other attitudes.
+  double quaternion_length() const;
+
   /// Reads the next row. Returns false at the end. Throws system::FileError if the file cannot be
   /// read, and table::BadTable, naming the row and the column, if a value is not a number, not
   /// finite, beyond the limits, out of the order of time, or not a rotation.

@@ -217,6 +217,7 @@ Json file_json(const CheckedFile& file) {
           {"momentum_direction_drift",
            judgement.direction_drift ? Json(degrees(*judgement.direction_drift)) : Json(nullptr)},
           {"orthogonality_error", nullable(judgement.orthogonality_error)},
+          {"quaternion_length", judgement.quaternion_length},
           {"flips", flips_json(judgement)},
           {"condition",
            judgement.has_rates ? judgement.growth.rates : judgement.growth.attitude * speed},

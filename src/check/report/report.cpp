@@ -15,9 +15,13 @@ std::string line(std::string_view name, const std::string& text) {
   return text.empty() ? std::string() : fmt::format("  {:<16}{}\n", name, text);
 }
 
-std::string reading_text(const Convention& convention) {
+std::string reading_text(const Judgement& judgement) {
+  const Convention& convention = judgement.convention;
   std::string text = format_columns(convention.columns);
   if (!convention.sequence.empty()) text += ", sequence " + convention.sequence;
+  if (judgement.quaternion_length != 1) {
+    text += fmt::format(", quaternions of length {:.6g}", judgement.quaternion_length);
+  }
   if (convention.inverse) text += ", body from space";
   if (convention.rates_in_space) text += ", rates in space axes";
   if (convention.time_unit)
@@ -203,7 +207,7 @@ std::string file_text(const CheckedFile& file) {
   const RateScale unit = rate_scale(judgement);
   return fmt::format("{}: {} rows, {} to {} s\n", text::escape(file.name), judgement.rows,
                      clock_text(judgement, 0), clock_text(judgement, judgement.duration)) +
-         line("read as", text::escape(reading_text(judgement.convention))) +
+         line("read as", text::escape(reading_text(judgement))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
          line("rate error", size_text(judgement, judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement, judgement.attitude, degrees(1), "deg")) +

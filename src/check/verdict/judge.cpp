@@ -316,6 +316,7 @@ Judgement judge(const Recording& recording, const Convention& convention, const 
                       .is_start_given = problem.omega && !problem.fit,
                       .fit = fit};
   take_sizes(judgement, comparison, reader.attitude());
+  judgement.quaternion_length = reader.quaternion_length();
   judgement.noise = {deviation_of(comparison.spans(), &Span::rate_differences),
                      deviation_of(comparison.spans(), &Span::attitude_differences)};
   judgement.digits = digits_of(reader, comparison, judgement.noise);

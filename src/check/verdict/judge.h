@@ -53,6 +53,7 @@ struct Judgement {
   std::optional<double> momentum_drift = {};       ///< of |L|, relative
   std::optional<double> direction_drift = {};      ///< of L in space, rad
   std::optional<double> orthogonality_error = {};  ///< of matrices and quaternions
+  double quaternion_length = 1;                    ///< that all have, as in a file of integers
   double energy_error = 0;                         ///< against the exact motion, relative
   std::optional<double> momentum_error = {};       ///< likewise
 

@@ -68,6 +68,14 @@ TEST(Digits, OfSinglePrecisionAreNotMoreThanThoseOfFloats) {
   EXPECT_LT(resolution_of<Digits>({"0.5000000000", "0.2500000000"}).at(0.5), 1e-9);
 }
 
+// All of them are values of float32.
+TEST(Digits, OfWholeNumbersInMemoryAreTheirOwn) {
+  Digits digits;
+  for (int i = 0; i < 500; ++i) digits.add({.value = std::round(32767 * std::sin(0.1 * i))});
+  EXPECT_EQ(digits.resolution(1).written, NumberFormat::decimals);
+  EXPECT_DOUBLE_EQ(digits.resolution(1).at(30000), 1);
+}
+
 // As in NASA's simulator 01: 12 digits of rad/s, converted to deg/s with 17.
 TEST(Digits, ThatAChangeOfTheUnitAddedDoNotCount) {
   for (const double factor :

@@ -161,5 +161,58 @@ TEST(RotationForms, NumbersOfAnySizeAreRotations) {
   EXPECT_TRUE(rotation_by_vector({1e-300, 0, 0}).isIdentity(1e-15));
 }
 
+/// Rows of quaternions with this length, rounded to whole numbers.
+std::string integers_of(double length) {
+  std::string text = "t,qw,qx,qy,qz\n";
+  for (int i = 0; i < 40; ++i) {
+    const Eigen::Quaterniond q(AngleAxisd(0.1 * i, axis));
+    text += fmt::format("{},{:.0f},{:.0f},{:.0f},{:.0f}\n", i, length * q.w(), length * q.x(),
+                        length * q.y(), length * q.z());
+  }
+  return text;
+}
+
+TEST(ScaledQuaternions, AreReadInIntegersOfAnyLength) {
+  for (const double length : {127.0, 32767.0, 1073741824.0}) {
+    const std::string text = integers_of(length);
+    auto table = table::open_table("run.csv", std::string_view(text));
+    const Convention convention = conventions(table->header(), {}).front();
+    RowReader reader(std::move(table), convention);
+    int i = 0;
+    for (Row row; reader.next(row); ++i) {
+      const Matrix3d X = AngleAxisd(0.1 * i, axis).toRotationMatrix();
+      EXPECT_LT((row.X - X).norm(), 4 / length) << length;
+    }
+    EXPECT_EQ(i, 40);
+    EXPECT_NEAR(reader.quaternion_length(), length, 1);
+    const Resolution resolution = reader.attitude_resolution();
+    EXPECT_EQ(resolution.written, NumberFormat::decimals);
+    EXPECT_NEAR(resolution.at(1), 1 / length, 1e-2 / length);
+  }
+}
+
+TEST(ScaledQuaternions, MustAllHaveTheSameLength) {
+  const std::string first = "t,qw,qx,qy,qz\n0,32767,0,0,0\n";
+  EXPECT_EQ(rotation_refusal(first), "no error");
+  const auto refusal_of_second = [&](const char* row) {
+    const std::string text = first + row;
+    auto table = table::open_table("run.csv", std::string_view(text));
+    const Convention convention = conventions(table->header(), {}).front();
+    RowReader reader(std::move(table), convention);
+    Row read;
+    try {
+      while (reader.next(read)) continue;
+    } catch (const table::BadTable& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(refusal_of_second("1,0,32766,0,0\n"), "no error");
+  EXPECT_THAT(refusal_of_second("1,0,32000,0,0\n"),
+              HasSubstr("run.csv:3: the quaternion: its length is 32000 instead of 32767 as in"));
+  EXPECT_THAT(refusal_of_second("1,0,0,0,0\n"), HasSubstr("it is zero"));
+  EXPECT_THAT(refusal_of_second("1,1,0,0,0\n"), HasSubstr("its length is 1 instead of 32767"));
+}
+
 }  // namespace
 }  // namespace twrench::check
