@@ -222,9 +222,10 @@ def check(
     :param fit: fit the initial state to all rows by least squares.
     :param frame: how to determine the space frame of the data: from the first row, or from the mean
         direction of the momentum.
-    :param columns: the columns of the data for our names: t, wx to wz, x11 to x33, qw to qz, yaw,
-        pitch and roll, rvx to rvz, axisx to axisz and angle, mrpx to mrpz, gibbsx to gibbsz; None to detect them by their names. For arrays, the names of all columns, (k,),
-        such as ``["t", "wx", "wy", "wz"]``.
+    :param columns: the columns of the data for our names: t, wx to wz, lx to lz, x11 to x33, qw to qz,
+        yaw, pitch and roll, rvx to rvz, axisx to axisz and angle, mrpx to mrpz, gibbsx to gibbsz; None
+        to detect them by their names. For arrays, the names of all columns, (k,), such as
+        ``["t", "wx", "wy", "wz"]``.
     :param time_unit: unit of the times; None for the unit stated in the data, or s.
     :param units: unit of angles and, per second, of rates; None for the unit stated in the data, or
         rad.

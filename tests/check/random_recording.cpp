@@ -90,12 +90,12 @@ Motion random_motion(RecordedBody body, SceneDice& dice) {
 }
 
 /// Our names of the columns, in the order in which they are written.
-std::vector<std::string> names_in(AttitudeForm form, bool has_rates) {
+std::vector<std::string> names_in(AttitudeForm form, bool has_rates, bool has_momentum) {
   std::vector<std::string> names = names_of(Kind::time);
   const auto add = [&](Kind kind) {
     names.insert(names.end(), names_of(kind).begin(), names_of(kind).end());
   };
-  if (has_rates) add(Kind::rates);
+  if (has_rates) add(has_momentum ? Kind::momentum : Kind::rates);
   switch (form) {
     case AttitudeForm::none:
       break;
@@ -124,9 +124,10 @@ std::vector<std::string> names_in(AttitudeForm form, bool has_rates) {
   return names;
 }
 
-std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates) {
+std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates,
+                                              bool has_momentum = false) {
   std::map<std::string, std::string> columns;
-  for (const std::string& name : names_in(form, has_rates)) columns[name] = name;
+  for (const std::string& name : names_in(form, has_rates, has_momentum)) columns[name] = name;
   return columns;
 }
 
@@ -186,7 +187,8 @@ std::vector<double> attitude_numbers(const Matrix3d& X, const Convention& right)
 /// The names of the columns in the file, in its order.
 std::vector<std::string> header_of(const Convention& right) {
   std::vector<std::string> header;
-  for (const std::string& ours : names_in(attitude_form(right), has_rates(right))) {
+  for (const std::string& ours :
+       names_in(attitude_form(right), has_rates(right), has_momentum(right))) {
     header.push_back(right.columns.at(ours));
   }
   return header;
@@ -199,16 +201,21 @@ std::string text_of(const Motion& motion, const Convention& right, Numbers numbe
   const bool rates = has_rates(right);
   std::string text = fmt::format("{}\n", fmt::join(header_of(right), ","));
   const Matrix3d P = right.axes.matrix();
+  // Half turns, which axes alone may be, have no Rodrigues parameters.
+  const bool turns_space = attitude_form(right) == AttitudeForm::rodrigues;
+  const Matrix3d space = turns_space ? so3::exp({0.3, -0.5, 0.7}) : Matrix3d::Identity();
   for (std::size_t i = 0; i < motion.rows; ++i) {
     const double t = static_cast<double>(i) * motion.step;
     const motion::Sample sample = exact.at(t);
-    Vector3d w = P * sample.omega;
-    Matrix3d X = P.determinant() * sample.X * P.transpose();
+    Vector3d w = sample.omega;
+    if (has_momentum(right)) w = motion.moments.cwiseProduct(w).eval();
+    w = (P * w).eval();
+    Matrix3d X = P.determinant() * space * sample.X * P.transpose();
     if (right.rates_in_space) w = (X * w).eval();
     if (right.offset) X = (X * right.offset->toRotationMatrix()).eval();
     if (right.inverse) X.transposeInPlace();
     text += fmt::format("{:.17g}", t / name_of(time_unit(right)).in_s);
-    const double size = noise * motion.omega.norm();
+    const double size = noise * motion.omega.norm();  // of rates
     for (int k = 0; k < 3 && rates; ++k) {
       // The sum of twelve uniform numbers is nearly normal.
       double error = -6;
@@ -291,12 +298,14 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   const auto& forms = enumerators<AttitudeForm>;
   const auto form = dice.pick(std::vector(forms.begin(), forms.end()));
   const bool rates = form == AttitudeForm::none || dice.chance(0.85);
+  const bool momentum = rates && dice.chance(0.2);
   Convention told;
-  told.columns = columns_of(form, rates);
+  told.columns = columns_of(form, rates, momentum);
+  told.inertia = motion.moments.asDiagonal();
   if (form == AttitudeForm::euler) told.sequence = "zyx";
   Convention right = told;
   if (dice.chance(0.5)) right.time_unit = dice.pick(time_units()).unit;
-  if (rates && dice.chance(0.5)) right.rate_unit = dice.pick(rate_units()).unit;
+  if (rates && !momentum && dice.chance(0.5)) right.rate_unit = dice.pick(rate_units()).unit;
   if (dice.chance(0.5)) right.axes = dice.pick(all_body_axes());
   right.angle_unit = angle_unit(told);
   if (form == AttitudeForm::euler) {

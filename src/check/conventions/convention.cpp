@@ -49,6 +49,7 @@ std::optional<AttitudeForm> attitude_form_of(Kind kind) {
   switch (kind) {
     case Kind::time:
     case Kind::rates:
+    case Kind::momentum:
       return std::nullopt;
     case Kind::matrix:
       return AttitudeForm::matrix;
@@ -107,7 +108,11 @@ bool has_angles(AttitudeForm form) {
   return false;
 }
 
-bool has_rates(const Convention& convention) { return convention.columns.contains("wx"); }
+bool has_momentum(const Convention& convention) { return convention.columns.contains("lx"); }
+
+bool has_rates(const Convention& convention) {
+  return convention.columns.contains("wx") || has_momentum(convention);
+}
 
 std::map<std::string, std::string> parse_columns(std::string_view text,
                                                  const std::string& quantity) {

@@ -52,8 +52,12 @@ struct Convention {
   /// Our name of the component of the quaternion that has the wrong sign in the file, "qx", "qy" or
   /// "qz"; empty if there is none. (All components but the scalar have it in the inverse.)
   std::string negated = {};
-  bool inverse = false;         ///< the attitude is body_from_space
-  bool rates_in_space = false;  ///< the rates are in space axes, not in the body's
+  /// The inertia of the body about its own axes, which turns columns of angular momentum into
+  /// rates; unused without them.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
+  bool inverse = false;  ///< the attitude is body_from_space
+  bool rates_in_space =
+      false;  ///< the rates or the angular momentum are in space axes, not in the body's
   /// The body's axes along which the file's axes point.
   BodyAxes axes;
   /// If present, the attitude is that of a part; this rotation takes the part's axes to the file's
@@ -88,7 +92,10 @@ AttitudeForm attitude_form(const Convention& convention);
 /// Whether the numbers of this form have a unit of angles.
 bool has_angles(AttitudeForm form);
 
-/// Whether the convention has columns of rates.
+/// Whether the convention has columns of angular momentum.
+bool has_momentum(const Convention& convention);
+
+/// Whether the convention has columns of rates, or of the angular momentum that determines them.
 bool has_rates(const Convention& convention);
 
 }  // namespace twrench::check

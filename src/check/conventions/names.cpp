@@ -19,6 +19,7 @@ struct KindRow {
 constexpr std::array kind_rows{
     KindRow{Kind::time, "the time", {"t"}},
     KindRow{Kind::rates, "the rates", {"wx", "wy", "wz"}},
+    KindRow{Kind::momentum, "the angular momentum", {"lx", "ly", "lz"}},
     KindRow{Kind::matrix,
             "the matrix",
             {"x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33"}},

@@ -10,6 +10,7 @@ namespace twrench::check {
 enum class Kind {
   time,
   rates,
+  momentum,
   matrix,
   quaternion,
   euler,
@@ -19,8 +20,8 @@ enum class Kind {
   rodrigues
 };
 
-/// Our names of the columns of a kind, in their order: "wx", "wy", "wz"; "x11", "x12" ... "x33";
-/// "qw", "qx", "qy", "qz"; "yaw", "pitch", "roll"; "rvx", "rvy", "rvz" ...
+/// Our names of the columns of a kind, in their order: "wx", "wy", "wz"; "lx", "ly", "lz"; "x11",
+/// "x12" ... "x33"; "qw", "qx", "qy", "qz"; "yaw", "pitch", "roll"; "rvx", "rvy", "rvz" ...
 const std::vector<std::string>& names_of(Kind kind);
 
 /// All of our names.

@@ -17,11 +17,13 @@ std::vector<Row> changed(std::span<const Row> rows, const Change& change) {
   const Matrix3d P = change.axes.matrix();
   const double sign = P.determinant();
   std::vector<Row> result(rows.begin(), rows.end());
+  const Matrix3d rates_from_file = change.file_from_rates.inverse();
   for (Row& row : result) {
-    const Vector3d file = change.factor * row.omega;
+    const Vector3d file = change.factor * (change.file_from_rates * row.omega);
     row.X = (sign * row.X * change.offset.transpose() * P).eval();
-    row.omega = change.rates_in_space ? Vector3d(sign * row.X.transpose() * file)
-                                      : Vector3d(P.transpose() * file);
+    const Vector3d body = change.rates_in_space ? Vector3d(sign * row.X.transpose() * file)
+                                                : Vector3d(P.transpose() * file);
+    row.omega = rates_from_file * body;
   }
   return result;
 }

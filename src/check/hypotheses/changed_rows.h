@@ -15,6 +15,8 @@ struct Change {
   BodyAxes axes = {};
   bool rates_in_space = false;
   Eigen::Matrix3d offset = Eigen::Matrix3d::Identity();  ///< as Convention::offset
+  /// Takes the rates to the vectors in the file: the inertia if these are angular momenta.
+  Eigen::Matrix3d file_from_rates = Eigen::Matrix3d::Identity();
 };
 
 /// Converts rows as RowDecoder would, without reading the file again.

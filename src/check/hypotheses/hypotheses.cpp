@@ -110,11 +110,17 @@ class Search {
                                [](const Tried& t) { return *t.reading.misfit.worst() < well; });
   }
 
+  Change change_to(double factor, const BodyAxes& axes, bool rates_in_space = false) const {
+    Change change{factor, axes, rates_in_space};
+    if (has_momentum(convention_)) change.file_from_rates = convention_.inertia;
+    return change;
+  }
+
   void try_rates_in_body() {
     if (variants_.empty()) return;
     for (const Scale& scale : scales_) {
       for (const BodyAxes& axes : axes_) {
-        const Change change{scale.factor, axes};
+        const Change change = change_to(scale.factor, axes);
         const auto rows = changed(variants_.front().rows, change);
         const auto miss = quick_misfit_of_rates(problem_.inertia, rows);
         if (miss.value_or(0) >= follows) continue;
@@ -128,9 +134,10 @@ class Search {
     for (const Variant& variant : variants_) {
       for (const BodyAxes& axes : axes_) {
         constexpr double conserved = 0.2;  // more than what coarse methods lose
-        const auto unscaled = changed(variant.rows, {1, axes, true});
+        const auto unscaled = changed(variant.rows, change_to(1, axes, true));
         if (variation(problem_.inertia, unscaled) >= conserved) continue;
-        for (const Scale& scale : scales_) test(variant, scale, {scale.factor, axes, true});
+        for (const Scale& scale : scales_)
+          test(variant, scale, change_to(scale.factor, axes, true));
       }
     }
   }
@@ -142,7 +149,7 @@ class Search {
       for (const Scale& scale : scales_) {
         const bool is_tested = scale.factor == 1 || problem_.omega;
         for (const BodyAxes& axes : axes_) {
-          if (is_tested) test(variant, {1, scale.units}, {1, axes});
+          if (is_tested) test(variant, {1, scale.units}, change_to(1, axes));
         }
       }
     }
@@ -150,7 +157,7 @@ class Search {
 
   void try_offsets() {
     for (const auto& [scale, axes] : following_) {
-      Change change{scale->factor, axes};
+      Change change = change_to(scale->factor, axes);
       const auto rates = changed(variants_.front().rows, change);
       for (const Variant& variant : variants_) {
         change.offset = offset_between(problem_.inertia, variant.rows, rates, axes);

@@ -123,7 +123,8 @@ std::vector<Units> unit_readings(const table::Header& header, const Convention& 
     }
   }
   std::vector<RateUnit> rates{as_read.rate};
-  if (has_rates(convention) && !stated_of(header, convention, "wx").rate) {
+  if (has_rates(convention) && !has_momentum(convention) &&
+      !stated_of(header, convention, "wx").rate) {
     for (const RateUnitName& name : rate_units()) {
       if (name.unit != as_read.rate) rates.push_back(name.unit);
     }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
@@ -209,6 +210,41 @@ std::optional<std::size_t> joined_component(const Words& words, List stems) {
   return component_of(vector_axes().front(), word.substr(word.size() - 1));
 }
 
+/// The words before those of a unit, which begins with N m s or kg m^2.
+Words without_unit_of_momentum(const Words& words) {
+  constexpr std::array<std::string_view, 5> units{"n", "nm", "nms", "kg", "kgm"};
+  return {words.begin(), std::ranges::find_first_of(words, units)};
+}
+
+void add_momentum(const Words& all_words, std::vector<Role>& roles) {
+  const Words words = without_unit_of_momentum(all_words);
+  const List in_space{"space", "world", "inertial", "eci"};
+  const List frames{"body", "b"};
+  const auto is_frame = [&](const std::string& word) {
+    return is_in(frames, word) || is_in(in_space, word);
+  };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    Words rest = without(words, i);
+    std::erase_if(rest, is_frame);
+    const bool is_whole = joined_component({words[i]}, {"l", "h"}).has_value();
+    const bool is_named =
+        rest == Words{"l"} || rest == Words{"h"} || rest == Words{"angmom"} ||
+        (has_any(rest, {"angular", "ang"}) && has_any(rest, {"momentum", "mom"}) &&
+         has_only(rest, {"angular", "ang", "momentum", "mom", "l", "h"}));
+    if (is_whole && rest.empty()) {
+      roles.push_back({group_of({words[i].substr(0, 1), {}}, all_words, words[i]),
+                       *joined_component({words[i]}, {"l", "h"}), has_any(words, in_space), false,
+                       true});
+    }
+    for (const Alphabet& alphabet : vector_axes()) {
+      const auto component = component_of(alphabet, words[i]);
+      if (!component || !is_named) continue;
+      roles.push_back({group_of(alphabet, all_words, words[i]), *component,
+                       has_any(words, in_space), false, true});
+    }
+  }
+}
+
 void add_rotation_vector(const Words& all_words, std::vector<Role>& roles) {
   const Words words = stated_unit(all_words).other_words;
   const auto is_named = [](const Words& rest) {
@@ -315,6 +351,9 @@ std::vector<Role> roles_of(const std::vector<std::string>& words, Kind kind) {
       break;
     case Kind::rates:
       add_rates(words, roles);
+      break;
+    case Kind::momentum:
+      add_momentum(words, roles);
       break;
     case Kind::matrix:
       add_matrix(words, roles);

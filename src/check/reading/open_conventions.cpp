@@ -74,17 +74,27 @@ std::optional<ColumnSet> said_set(const table::Header& header, const Convention&
   return set;
 }
 
+table::BadTable said_twice(const table::Header& header, const ColumnSet& a, const ColumnSet& b) {
+  return {header.file,
+          fmt::format("columns are given both for {} and for {}", description_of(a.kind),
+                      description_of(b.kind)),
+          "name those of one of them"};
+}
+
+/// The rates, or else the angular momentum, as the user gave them. Throws if both are named.
+std::optional<ColumnSet> said_rates(const table::Header& header, const Convention& said) {
+  const auto rates = said_set(header, said, Kind::rates);
+  const auto momentum = said_set(header, said, Kind::momentum);
+  if (rates && momentum) throw said_twice(header, *rates, *momentum);
+  return rates ? rates : momentum;
+}
+
 /// The attitude as the user gave it. Throws if columns of several forms are named.
 std::optional<ColumnSet> said_attitude(const table::Header& header, const Convention& said) {
   std::optional<ColumnSet> attitude;
   for (const Kind kind : attitudes) {
     const auto set = said_set(header, said, kind);
-    if (set && attitude) {
-      throw table::BadTable(header.file,
-                            fmt::format("columns are given both for {} and for {}",
-                                        description_of(attitude->kind), description_of(kind)),
-                            "name those of one attitude");
-    }
+    if (set && attitude) throw said_twice(header, *attitude, *set);
     if (set) attitude = set;
   }
   return attitude;
@@ -104,6 +114,13 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
                       columns_remedy(header));
   }
   return found;
+}
+
+/// The rates by the names of their columns; only without them, the angular momentum, because it has
+/// less usual names.
+std::vector<ColumnSet> find_rates(const table::Header& header) {
+  std::vector<ColumnSet> rates = find_sets(header, Kind::rates);
+  return rates.empty() ? find_sets(header, Kind::momentum) : rates;
 }
 
 /// The attitudes by the names of their columns. Names that have other usual meanings count only if
@@ -155,10 +172,10 @@ std::vector<ColumnChoice> column_choices(const table::Header& header, const Conv
   if (said.columns.empty() && is_without_names(header)) {
     if (auto choices = choices_by_number(header); !choices.empty()) return choices;
   }
-  std::vector<std::optional<ColumnSet>> rates{said_set(header, said, Kind::rates)};
+  std::vector<std::optional<ColumnSet>> rates{said_rates(header, said)};
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
-    rates = or_nothing(find_sets(header, Kind::rates));
+    rates = or_nothing(find_rates(header));
     attitude = or_nothing(find_attitudes(header));
   }
   if (!rates.front() && !attitude.front()) {
@@ -240,7 +257,9 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   convention.time_unit = unit_of_set(header, choice.time, said.time_unit, time_in);
   if (choice.rates) {
     add_columns(header, *choice.rates, convention);
-    convention.rate_unit = unit_of_set(header, *choice.rates, said.rate_unit, rate_in);
+    if (choice.rates->kind == Kind::rates) {
+      convention.rate_unit = unit_of_set(header, *choice.rates, said.rate_unit, rate_in);
+    }
     convention.rates_in_space = said.rates_in_space || choice.rates->in_space;
   }
   if (!choice.attitude) return convention;

@@ -90,6 +90,7 @@ RowDecoder::RowDecoder(const table::Header& header, const Convention& convention
                        std::function<std::string()> place)
     : form_(attitude_form(convention)),
       has_rates_(check::has_rates(convention)),
+      has_momentum_(check::has_momentum(convention)),
       rates_in_space_(convention.rates_in_space && has_rates_),
       inverse_(convention.inverse),
       changes_axes_(convention.offset || convention.axes != BodyAxes()),
@@ -97,12 +98,13 @@ RowDecoder::RowDecoder(const table::Header& header, const Convention& convention
       second_(name_of(time_unit(convention)).in_s),
       rate_unit_(name_of(check::rate_unit(convention)).in_rad_s),
       angle_unit_(name_of(angle_unit(convention)).in_rad),
+      rates_from_momentum_(convention.inertia.inverse()),
       body_from_file_(convention.axes.matrix().transpose()),
       turned_by_(body_from_file_.determinant() * offset_of(convention).transpose() *
                  convention.axes.matrix()),
       place_(std::move(place)) {
   select(header, convention, Kind::time);
-  if (has_rates_) select(header, convention, Kind::rates);
+  if (has_rates_) select(header, convention, has_momentum_ ? Kind::momentum : Kind::rates);
   if (form_ != AttitudeForm::none) select(header, convention, kind_of(form_));
   if (rates_in_space_ && form_ == AttitudeForm::none) {
     throw InvalidArgument(header.file, "rates in space axes say nothing without an attitude",
@@ -164,6 +166,8 @@ void RowDecoder::decode(std::span<const table::Number> numbers, Row& row) const 
   } else if (changes_axes_) {
     row.omega = (body_from_file_ * row.omega).eval();
   }
+  if (has_momentum_) row.omega = (rates_from_momentum_ * row.omega).eval();
+  if (has_rates_) require_speed(row);
 }
 
 void RowDecoder::require_finite(std::span<const table::Number> numbers) const {
@@ -194,21 +198,25 @@ void RowDecoder::require_within_limits(std::span<const table::Number> numbers,
   require(0, second_ * numbers[0].value, most_on_clock, "s", remedy_for_time);
   require(0, row.t, longest, "s after the first row", remedy_for_time);
   const std::size_t rates = rates_in(numbers).size();
-  for (std::size_t i = 1; i <= rates; ++i) {
+  for (std::size_t i = 1; i <= rates && !has_momentum_; ++i) {
     require(i, rate_unit_ * numbers[i].value, most, "rad/s", "correct or remove the row");
   }
   for (std::size_t i = rates + 1; has_angles(form_) && i < numbers.size(); ++i) {
     require(i, angle_unit_ * numbers[i].value, most, "rad", "correct or remove the row");
   }
-  constexpr double least = 1e-100;  // rad/s
-  if (rates == 0 || row.omega.squaredNorm() >= least * least) return;
+}
+
+void RowDecoder::require_speed(const Row& row) const {
+  constexpr double least = 1e-100, most = 1e13;  // rad/s; the limits of the components are stricter
+  const double square = row.omega.squaredNorm();
+  if (square >= least * least && square <= most * most) return;
   const double speed = row.omega.stableNorm();
-  if (speed == 0 || speed >= least) return;
+  if (speed == 0 || (speed >= least && speed <= most)) return;
   throw table::BadTable(place_(),
                         fmt::format("the rates have the magnitude {:.3g} rad/s, but must be zero "
-                                    "or at least {:.3g}",
-                                    speed, least),
-                        "write zeros if the body is at rest");
+                                    "or at least {:.3g} and at most {:.3g}",
+                                    speed, least, most),
+                        "write zeros if the body is at rest, or correct the unit");
 }
 
 void RowDecoder::decode_attitude(std::span<const table::Number> numbers, Row& row) const {

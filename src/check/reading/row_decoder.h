@@ -29,12 +29,19 @@ class RowDecoder {
   /// The indices of the file's columns, in the order in which decode() expects their numbers.
   const std::vector<std::size_t>& columns() const { return columns_; }
   bool has_rates() const { return has_rates_; }
+  /// Whether the rates follow from angular momenta.
+  bool has_momentum() const { return has_momentum_; }
   AttitudeForm attitude() const { return form_; }
   std::span<const table::Number> rates_in(std::span<const table::Number> numbers) const;
   std::span<const table::Number> attitude_in(std::span<const table::Number> numbers) const;
   /// The file's unit of times in s, and its unit of rates in rad/s.
   double second() const { return second_; }
   double rate_unit() const { return rate_unit_; }
+  /// The largest component of the rates, rad/s, for an angular momentum whose components, in the
+  /// file's unit, are at most 1.
+  double rates_of_unit_momentum() const {
+    return rate_unit_ * rates_from_momentum_.cwiseAbs().rowwise().sum().maxCoeff();
+  }
   /// The unit of the attitude's numbers in rad; 1 if they are not all angles.
   double attitude_unit() const;
 
@@ -56,6 +63,7 @@ class RowDecoder {
   void select(const table::Header& header, const Convention& convention, Kind kind);
   void require_finite(std::span<const table::Number> numbers) const;
   void require_within_limits(std::span<const table::Number> numbers, const Row& row) const;
+  void require_speed(const Row& row) const;
   void decode_attitude(std::span<const table::Number> numbers, Row& row) const;
   void decode_matrix(std::span<const table::Number> entries, Row& row) const;
   table::BadTable bad_quaternion(double length) const;
@@ -65,13 +73,14 @@ class RowDecoder {
   table::BadTable bad_attitude(const std::string& why, const std::string& remedy) const;
 
   AttitudeForm form_;
-  bool has_rates_, rates_in_space_, inverse_, changes_axes_;
+  bool has_rates_, has_momentum_, rates_in_space_, inverse_, changes_axes_;
   std::optional<std::size_t> negated_;  ///< index of Convention::negated in (w, x, y, z)
   double second_, rate_unit_, angle_unit_;
   double quaternion_length_ = 1;
   Axes sequence_{2, 1, 0};
-  Eigen::Matrix3d body_from_file_;  ///< applies to the rates
-  Eigen::Matrix3d turned_by_;       ///< multiplies the attitude from the right
+  Eigen::Matrix3d rates_from_momentum_;  ///< the inverse of the inertia
+  Eigen::Matrix3d body_from_file_;       ///< applies to the rates
+  Eigen::Matrix3d turned_by_;            ///< multiplies the attitude from the right
   table::Number first_time_;
   std::vector<std::size_t> columns_;
   std::vector<std::string> names_;  ///< of the columns

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,6 +28,7 @@ struct RowReader::State {
   double last_number = 0;  ///< the same as the file has it
   TimeDigits time_digits;
   Digits rate_digits, attitude_digits;
+  double largest_momentum = 0;  ///< of the components, in the file's unit
 };
 
 RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention& meant)
@@ -84,6 +88,10 @@ bool RowReader::next(Row& row) {
   state.time_digits.add(state.numbers.front());
   for (const table::Number& rate : state.decoder.rates_in(state.numbers))
     state.rate_digits.add(rate);
+  if (state.decoder.has_momentum()) {
+    for (const table::Number& momentum : state.decoder.rates_in(state.numbers))
+      state.largest_momentum = std::max(state.largest_momentum, std::abs(momentum.value));
+  }
   for (const table::Number& number : state.decoder.attitude_in(state.numbers)) {
     state.attitude_digits.add(number);
   }
@@ -98,7 +106,15 @@ Resolution RowReader::time_resolution() const {
 }
 
 Resolution RowReader::rate_resolution() const {
-  const Resolution printed = state_->rate_digits.resolution(state_->decoder.rate_unit());
+  const RowDecoder& decoder = state_->decoder;
+  Resolution printed =
+      state_->rate_digits.resolution(decoder.has_momentum() ? 1 : decoder.rate_unit());
+  if (decoder.has_momentum()) {
+    // Each rate may depend on all components, the largest included.
+    printed.absolute = printed.at(state_->largest_momentum) * decoder.rates_of_unit_momentum();
+    printed.relative = std::numeric_limits<double>::epsilon();
+    printed.base = 2;
+  }
   const bool has_all_digits =
       attitude() != AttitudeForm::none && attitude_resolution().written == NumberFormat::float64;
   if (!has_all_digits || !state_->rate_digits.are_round()) return printed;

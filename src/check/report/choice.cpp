@@ -101,7 +101,8 @@ InvalidArgument ambiguous(const table::Header& header, const Convention& said,
 Convention choose_convention(const Recording& recording, const Convention& given,
                              const Problem& problem) {
   const table::Header& header = recording.header();
-  const std::vector<Convention> open = conventions(header, given);
+  std::vector<Convention> open = conventions(header, given);
+  for (Convention& convention : open) convention.inertia = problem.inertia;
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));
   // If none of them fits, a reading that no name suggests may do so.
