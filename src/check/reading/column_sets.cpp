@@ -108,6 +108,7 @@ std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& colu
   if (kind == Kind::quaternion) {
     sets.push_back({kind, {columns[3], columns[0], columns[1], columns[2]}});
   }
+  if (kind == Kind::euler) sets.push_back({kind, {columns[2], columns[1], columns[0]}});
   if (kind == Kind::matrix) {
     std::vector<std::size_t> transposed;
     for (std::size_t i = 0; i < 9; ++i) transposed.push_back(columns[3 * (i % 3) + i / 3]);

@@ -22,7 +22,8 @@ struct ColumnSet {
 std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind);
 
 /// Returns the sets that these columns may form if their names leave the order open: a quaternion
-/// has its scalar first or last, a matrix its entries by rows or by columns.
+/// has its scalar first or last, a matrix its entries by rows or by columns, and Euler angles begin
+/// with yaw or with roll.
 std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns);
 
 /// Lists the file's columns for a remedy: "its columns are: time, p, q, r", or the first of many.

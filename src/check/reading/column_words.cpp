@@ -96,16 +96,24 @@ void add_rates(const Words& all_words, std::vector<Role>& roles) {
 
 void add_euler(const Words& all_words, std::vector<Role>& roles) {
   static const std::vector<Alphabet> angles{{"ypr", {{"yaw"}, {"pitch"}, {"roll"}}},
-                                            {"greek", {{"psi"}, {"theta"}, {"phi"}}}};
+                                            {"greek", {{"psi"}, {"theta"}, {"phi"}}},
+                                            {"hpr", {{"heading"}, {"pitch"}, {"roll"}}},
+                                            {"zyx", {{"z"}, {"y"}, {"x"}}},
+                                            {"012", {{"0"}, {"1"}, {"2"}}},
+                                            {"123", {{"1"}, {"2"}, {"3"}}}};
   const Words words = stated_unit(all_words).other_words;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Words rest = without(words, i);
     for (const Alphabet& alphabet : angles) {
       const auto component = component_of(alphabet, words[i]);
-      const bool is_known = has_only(rest, {"euler", "angle", "angles", "attitude", "att",
+      const bool is_named = is_in({"ypr", "greek", "hpr"}, alphabet.name);
+      const bool is_known = (is_named || has_any(rest, {"euler", "eul"})) &&
+                            has_only(rest, {"euler", "eul", "angle", "angles", "attitude", "att",
                                             "orientation", "body", "ypr", "rpy"});
       if (!component || !is_known) continue;
-      roles.push_back({group_of(alphabet, all_words, words[i]), *component, false, false});
+      const bool is_numbered = is_in({"012", "123"}, alphabet.name);
+      roles.push_back({group_of(alphabet, all_words, words[i]), *component, false, is_numbered,
+                       alphabet.name == "hpr"});
     }
   }
 }

@@ -15,7 +15,7 @@ struct Role {
   std::string group;
   std::size_t component = 0;  ///< index in names_of(kind); for "q0" and the like, the number
   bool in_space = false;      ///< for rates
-  bool is_open = false;       ///< for q0 ... q3 and r0 ... r8, whose order is open
+  bool is_open = false;       ///< for q0 ... q3, r0 ... r8 and euler[0], whose order is open
   bool is_weak = false;       ///< for rx and sigma_1, which also have other usual meanings
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "check/reading/unread_columns.h"
 #include "check/report/choice.h"
 #include "check/verdict/error.h"
 #include "study/ladder.h"
@@ -93,6 +94,8 @@ CheckedFile check_file(Recording recording, const Convention& given, const Probl
   CheckedFile file{recording.name(), judge(recording, convention, problem), {}, {}, {}, 0};
   file.alternatives = better_readings(recording, problem, file.judgement);
   file.other_start = other_start_of(recording, file, problem);
+  if (given.columns.empty())
+    file.unread = possible_attitude_columns(recording.header(), convention);
   file.bounds = applied(bounds, file.name, file.judgement);
   if (file.judgement.rows > 1) {
     file.step = file.judgement.duration / static_cast<double>(file.judgement.rows - 1);

@@ -5,12 +5,15 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "check/hypotheses/hypotheses.h"
+#include "check/hypotheses/other_conventions.h"
 #include "check/hypotheses/readings.h"
 #include "check/reading/columns.h"
 #include "check/reading/open_conventions.h"
@@ -74,6 +77,8 @@ std::string choice_text(const Convention& said, const std::vector<Convention>& o
   take_back(&Convention::sequence);
   take_back(&Convention::inverse);
   take_back(&Convention::rates_in_space);
+  take_back(&Convention::axes);
+  take_back(&Convention::offset);
   return option_text(before, one);
 }
 
@@ -96,6 +101,30 @@ InvalidArgument ambiguous(const table::Header& header, const Convention& said,
       fmt::format("say which: {}{}", fmt::join(ways, "; or "), open.size() > most ? " ..." : "")};
 }
 
+/// If none of the open conventions fits, a reading that no name suggests may do so: that with the
+/// fewest changes, if there is only one.
+std::optional<Reading> unexpected(const Recording& recording, const Problem& problem,
+                                  const std::vector<Convention>& open) {
+  constexpr std::size_t most = 4;
+  std::vector<std::map<std::string, std::string>> tried;
+  std::optional<Reading> best;
+  int fewest = std::numeric_limits<int>::max();
+  for (const Convention& convention : open) {
+    if (tried.size() == most) break;
+    if (std::ranges::find(tried, convention.columns) != tried.end()) continue;
+    tried.push_back(convention.columns);
+    const std::vector<Reading> fitting = alternatives(recording, problem, convention).fitting;
+    if (fitting.empty()) continue;
+    const int changes = count_changes(convention, fitting.front().convention);
+    if (changes > fewest) continue;
+    // No option reverses the sign of a component.
+    const bool is_option = fitting.size() == 1 && fitting.front().convention.negated.empty();
+    best = is_option && changes < fewest ? std::optional(fitting.front()) : std::nullopt;
+    fewest = changes;
+  }
+  return best;
+}
+
 }  // namespace
 
 Convention choose_convention(const Recording& recording, const Convention& given,
@@ -105,14 +134,7 @@ Convention choose_convention(const Recording& recording, const Convention& given
   for (Convention& convention : open) convention.inertia = problem.inertia;
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));
-  // If none of them fits, a reading that no name suggests may do so.
-  if (!fitting) {
-    const Alternatives other = alternatives(recording, problem, open.front());
-    // No option reverses the sign of a component.
-    const bool is_option =
-        other.fitting.size() == 1 && other.fitting.front().convention.negated.empty();
-    if (is_option) fitting = other.fitting.front();
-  }
+  if (!fitting) fitting = unexpected(recording, problem, open);
   throw ambiguous(header, given, open, fitting);
 }
 

@@ -208,6 +208,7 @@ Json file_json(const CheckedFile& file) {
           {"last_time", clock_time(judgement, judgement.duration)},
           {"step", file.step},
           {"read_as", convention_json(judgement.convention)},
+          {"unread", file.unread},
           {"omega", vector_json(judgement.reference.body.omega() * unit.per_radian)},
           {"omega_at", clock_time(judgement, judgement.reference.start)},
           {"rates", size_json(judgement, judgement.rates, unit.per_radian, unit.symbol)},

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <twrench/motion/exact.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "check/conventions/units.h"
+#include "check/report/alternative_text.h"
 #include "text/escape.h"
 
 namespace twrench::check {
@@ -65,6 +67,17 @@ std::string start_text(const Judgement& judgement) {
     text += fmt::format("; residual {:.3g} deg", degrees(*fit.attitude_residual));
   }
   return text;
+}
+
+/// The columns that are not read, but could be an attitude.
+std::string unread_text(const CheckedFile& file) {
+  if (file.unread.empty()) return {};
+  constexpr std::size_t most = 9;
+  const std::size_t shown = std::min(most, file.unread.size());
+  const std::vector<std::string> first(file.unread.begin(),
+                                       file.unread.begin() + static_cast<std::ptrdiff_t>(shown));
+  return fmt::format("{}{}; if they are an attitude, --columns names it", joined(first, ", "),
+                     shown < file.unread.size() ? " ..." : "");
 }
 
 std::string size_text(const Judgement& judgement, const std::optional<ErrorSize>& size,
@@ -208,6 +221,7 @@ std::string file_text(const CheckedFile& file) {
   return fmt::format("{}: {} rows, {} to {} s\n", text::escape(file.name), judgement.rows,
                      clock_text(judgement, 0), clock_text(judgement, judgement.duration)) +
          line("read as", text::escape(reading_text(judgement))) +
+         line("not read", text::escape(unread_text(file))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
          line("rate error", size_text(judgement, judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement, judgement.attitude, degrees(1), "deg")) +

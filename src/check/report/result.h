@@ -30,6 +30,8 @@ struct CheckedFile {
   std::optional<Fit> other_start;
   std::vector<CheckBound> bounds;
   double step;  ///< s: as the user gave it, or the mean time between rows
+  /// Columns that are not read, but could be an attitude.
+  std::vector<std::string> unread = {};
 };
 
 /// The exponents of the errors as functions of the step, if several files determine them.

@@ -14,6 +14,7 @@
 #include "check/conventions/attitude.h"
 #include "check/reading/open_conventions.h"
 #include "check/reading/row_reader.h"
+#include "check/reading/unread_columns.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -24,6 +25,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr double one_degree = std::numbers::pi / 180;
@@ -159,6 +161,40 @@ TEST(RotationForms, NumbersOfAnySizeAreRotations) {
     }
   }
   EXPECT_TRUE(rotation_by_vector({1e-300, 0, 0}).isIdentity(1e-15));
+}
+
+TEST(RotationForms, AreNamedIfTheyAreNotRead) {
+  const auto unread = [](std::vector<std::string> names) {
+    const table::Header header{"run.csv", std::move(names), {}};
+    return possible_attitude_columns(header, conventions(header, {}).front());
+  };
+  EXPECT_THAT(unread({"t", "wx", "wy", "wz", "sigma_x", "sigma_y", "sigma_z"}),
+              ElementsAre("sigma_x", "sigma_y", "sigma_z"));
+  EXPECT_THAT(unread({"t", "wx", "wy", "wz", "s0", "s1", "s2", "s3", "temperature"}),
+              ElementsAre("s0", "s1", "s2", "s3"));
+  EXPECT_THAT(unread({"t", "wx", "wy", "wz", "ax", "ay", "az", "mag_x", "mag_y", "mag_z", "x"}),
+              IsEmpty());
+  EXPECT_THAT(unread({"t", "qw", "qx", "qy", "qz", "s1", "s2", "s3"}), IsEmpty());
+}
+
+TEST(EulerAngles, AreFoundByAxesAndWithUnits) {
+  const auto columns = [](std::vector<std::string> names) {
+    Convention said;
+    said.sequence = "zyx";
+    std::vector<std::string> all;
+    for (const Convention& one : conventions({"run.csv", std::move(names), {}}, said)) {
+      all.push_back(format_columns(one.columns));
+      EXPECT_EQ(one.angle_unit, Angle::degrees);
+    }
+    return all;
+  };
+  EXPECT_THAT(columns({"t", "Roll (\u00b0)", "Pitch (\u00b0)", "Yaw (\u00b0)"}), SizeIs(1));
+  EXPECT_THAT(columns({"t", "euler_x_deg", "euler_y_deg", "euler_z_deg"}),
+              ElementsAre("t=t,yaw=euler_z_deg,pitch=euler_y_deg,roll=euler_x_deg"));
+  EXPECT_THAT(columns({"t", "heading [deg]", "pitch [deg]", "roll [deg]"}),
+              ElementsAre("t=t,yaw=heading [deg],pitch=pitch [deg],roll=roll [deg]"));
+  EXPECT_THAT(columns({"t", "euler[0] deg", "euler[1] deg", "euler[2] deg"}), SizeIs(2));
+  EXPECT_THAT(columns({"t", "yaw_deg", "pitch_deg", "roll_deg", "heading_deg"}), SizeIs(1));
 }
 
 /// Rows of quaternions with this length, rounded to whole numbers.
