@@ -10,6 +10,7 @@
 
 #include "system/error.h"
 #include "system/file_kind.h"
+#include "table/aem_reader.h"
 #include "table/csv_reader.h"
 #include "table/error.h"
 #include "table/input.h"
@@ -36,7 +37,7 @@ std::string remedy_for(std::string_view kind) {
   }};
   const auto* const found = std::ranges::find(remedies, kind, &Remedy::kind);
   return std::string(found != remedies.end() ? found->text
-                                             : "CSV, TSV, JSON and NumPy's .npy are read");
+                                             : "CSV, TSV, JSON, AEM and NumPy's .npy are read");
 }
 
 /// Whether the first line has a separator between printable characters. The bytes that identify
@@ -73,8 +74,9 @@ std::unique_ptr<Reader> open_format(Input input) {
   }
   if (start.find('\0') != std::string_view::npos) {
     throw system::FileError(input.name(), "the file is binary data, or text that is not UTF-8",
-                            "CSV, TSV, JSON and NumPy's .npy are read");
+                            "CSV, TSV, JSON, AEM and NumPy's .npy are read");
   }
+  if (AemReader::recognizes(start)) return std::make_unique<AemReader>(std::move(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
   return std::make_unique<CsvReader>(std::move(input));
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,11 +11,13 @@
 
 namespace twrench::table {
 
-/// The names and units of a file's columns.
+/// The names and units of a file's columns, and what it states about an attitude.
 struct Header {
   std::string file;                ///< the path, as messages name it
   std::vector<std::string> names;  ///< in the file's order; "#1", "#2" ... if it has no names
   std::vector<std::string> units;  ///< of each column, from a row below the names; or empty
+  std::optional<bool> states_inverse = {};  ///< whether the attitude is body from space
+  std::string sequence = {};                ///< of Euler angles, "zyx"; empty if not stated
 };
 
 /// A number, and how many digits of it were written.

@@ -55,7 +55,8 @@ struct Convention {
   /// The inertia of the body about its own axes, which turns columns of angular momentum into
   /// rates; unused without them.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
-  bool inverse = false;  ///< the attitude is body_from_space
+  bool inverse_is_stated = false;  ///< by the file itself
+  bool inverse = false;            ///< the attitude is body_from_space
   bool rates_in_space =
       false;  ///< the rates or the angular momentum are in space axes, not in the body's
   /// The body's axes along which the file's axes point.

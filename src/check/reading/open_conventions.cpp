@@ -264,6 +264,9 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   }
   if (!choice.attitude) return convention;
   add_columns(header, *choice.attitude, convention);
+  convention.inverse = said.inverse || header.states_inverse.value_or(false);
+  convention.inverse_is_stated = header.states_inverse.has_value() && !said.inverse;
+  if (convention.sequence.empty()) convention.sequence = header.sequence;
   if (has_angles(attitude_form(convention))) {
     std::optional<Angle> said_angle = said.angle_unit;
     if (!said_angle && said.rate_unit) said_angle = angle_of(*said.rate_unit);

@@ -87,11 +87,15 @@ std::string alternative_text(const Judgement& judgement, const Convention& after
   if (!added.empty()) parts.push_back(added);
   std::string use = parts.empty() ? "" : "use " + joined(parts, " ");
   std::vector<std::string> dropped;
-  if (before.inverse && !after.inverse) dropped.emplace_back("--inverse");
+  const bool is_dropped = before.inverse && !after.inverse;
+  if (is_dropped && !before.inverse_is_stated) dropped.emplace_back("--inverse");
   if (before.offset && !after.offset) dropped.emplace_back("--offset");
   if (!dropped.empty()) {
     const std::string names = joined(dropped, " and ");
     use += use.empty() ? "leave " + names + " out" : ", without " + names;
+  }
+  if (is_dropped && before.inverse_is_stated) {
+    use += (use.empty() ? "" : ", and ") + std::string("correct the direction in the file");
   }
   if (is_order) use += fmt::format(" (or --axes {})", format_body_axes(after.axes));
   if (after.negated != before.negated) {
