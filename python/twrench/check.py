@@ -22,7 +22,7 @@ __all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "check"]
 
 FrameSource = Literal["first", "momentum"]
 RateAxes = Literal["body", "space"]
-TimeUnit = Literal["s", "ms", "us", "ns", "min", "h"]
+TimeUnit = Literal["s", "ms", "us", "ns", "min", "h", "0.1ms"]
 RateUnit = Literal["rad", "deg", "rev", "rpm"]
 AngleUnit = Literal["rad", "deg"]
 Finding = Literal[

@@ -84,6 +84,9 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
 }
 
 std::string remedy_for_columns(const check::ColumnError& error) {
+  if (!error.suggested().empty()) {
+    return fmt::format("if they are meant, add --columns '{}'", error.suggested());
+  }
   const std::string& ours = error.column();
   return fmt::format("--columns {}=NAME names {}; {}",
                      ours.empty() ? "t=NAME,wx=NAME,wy=NAME,wz" : ours,

@@ -36,6 +36,8 @@ struct TimeUnitName {
   double in_s;
 };
 std::span<const TimeUnitName> time_units();
+/// All but 0.1 ms, which only the clocks of a few sensors count.
+std::span<const TimeUnitName> common_time_units();
 const TimeUnitName& name_of(TimeUnit unit);
 
 /// The unit of angles of a rate: degrees for deg/s. Nothing for revolutions, which are not used for

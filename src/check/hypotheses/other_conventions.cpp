@@ -118,7 +118,7 @@ std::vector<Units> unit_readings(const table::Header& header, const Convention& 
   const Units as_read{time_unit(convention), rate_unit(convention)};
   std::vector<TimeUnit> times{as_read.time};
   if (!stated_of(header, convention, "t").time) {
-    for (const TimeUnitName& name : time_units()) {
+    for (const TimeUnitName& name : common_time_units()) {
       if (name.unit != as_read.time) times.push_back(name.unit);
     }
   }

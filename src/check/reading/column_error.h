@@ -16,10 +16,17 @@ class ColumnError : public table::BadTable {
               const std::string& remedy)
       : BadTable(file, why, remedy), column_(std::move(column)) {}
 
+  /// The columns that may be meant, although their names do not say so, are `suggested`:
+  /// "wx=x,wy=y,wz=z".
+  ColumnError(const std::string& file, std::string suggested, const std::string& why)
+      : BadTable(file, why, "if they are meant, give these columns: " + suggested),
+        suggested_(std::move(suggested)) {}
+
   const std::string& column() const noexcept { return column_; }
+  const std::string& suggested() const noexcept { return suggested_; }
 
  private:
-  std::string column_;
+  std::string column_, suggested_;
 };
 
 }  // namespace twrench::check

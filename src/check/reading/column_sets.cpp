@@ -136,6 +136,26 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
   return sets;
 }
 
+std::vector<ColumnSet> find_bare_rates(const table::Header& header) {
+  using Words = std::vector<std::string>;
+  const std::vector<std::vector<Words>> names{
+      {{"x"}, {"y"}, {"z"}}, {{"xyz", "0"}, {"xyz", "1"}, {"xyz", "2"}}, {{"gx"}, {"gy"}, {"gz"}}};
+  std::vector<ColumnSet> sets;
+  for (const std::vector<Words>& components : names) {
+    Group group;
+    for (const Words& words : components) {
+      std::vector<std::size_t>& of_one = group.columns.emplace_back();
+      for (std::size_t column = 0; column < header.names.size(); ++column) {
+        if (words_of(header.names[column]) == words) of_one.push_back(column);
+      }
+    }
+    if (is_complete(group)) {
+      sets.push_back({Kind::rates, require_single(header, Kind::rates, group), false});
+    }
+  }
+  return sets;
+}
+
 std::string columns_remedy(const table::Header& header) {
   constexpr std::size_t most = 60, longest = 60;
   std::vector<std::string> names;

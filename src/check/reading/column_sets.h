@@ -21,6 +21,11 @@ struct ColumnSet {
 /// columns could be the same component.
 std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind);
 
+/// Returns the rates in a file of a gyroscope whose columns say no more than x, y, z, or xyz[0] to
+/// xyz[2], or gx, gy, gz: names that only mean rates if the file has nothing else. Throws
+/// ColumnError if two columns have one name.
+std::vector<ColumnSet> find_bare_rates(const table::Header& header);
+
 /// Returns the sets that these columns may form if their names leave the order open: a quaternion
 /// has its scalar first or last, a matrix its entries by rows or by columns, and Euler angles begin
 /// with yaw or with roll.

@@ -56,22 +56,65 @@ std::string group_of(const Alphabet& alphabet, const Words& words, const std::st
   return fmt::format("{}:{}", alphabet.name, fmt::join(others, " "));
 }
 
+/// Words for the message, the device or the state to which a quantity belongs.
+bool is_owner(std::string_view word) {
+  return is_in({"field", "msg", "message", "data", "imu", "sensor", "device", "phone", "motion",
+                "state", "pose", "raw", "measured", "meas", "calibrated", "filtered"},
+               word);
+}
+
+/// The letters of two frames, as in omega_BN: that of the body (B) relative to inertial space (N).
+bool is_frame_pair(std::string_view word) {
+  return word.size() == 2 && word[0] != word[1] &&
+         word.find_first_not_of("bsrniwegc") == std::string_view::npos;
+}
+
+/// Whether the letter after a pair of frames places the components in space axes: omega_BN_N.
+bool is_resolved_in_space(const Words& words) {
+  const auto pair = std::ranges::find_if(words, is_frame_pair);
+  return pair != words.end() && pair + 1 != words.end() &&
+         is_in({"n", "r", "i", "w", "e", "g"}, *(pair + 1));
+}
+
+/// Whether the words mean something that is derived from rates or that rates should follow.
+bool are_of_other_quantity(const Words& words) {
+  // b_w_RS_S_x is a bias.
+  if (words.size() > 1 && words[0] == "b" && is_in({"w", "omega", "g", "gyro"}, words[1])) {
+    return true;
+  }
+  return has_any(
+      words,
+      {"bias",  "cov",        "covariance", "setpoint",  "sp",    "target",    "desired",
+       "des",   "cmd",        "command",    "commanded", "ref",   "reference", "error",
+       "err",   "std",        "stddev",     "sigma",     "var",   "variance",  "noise",
+       "scale", "offset",     "reset",      "delta",     "acc",   "accel",     "acceleration",
+       "alpha", "derivative", "dot",        "jerk",      "limit", "max",       "temperature",
+       "temp",  "mag",        "wheel",      "rotor",     "motor"});
+}
+
 /// Whether the words other than the axis are those of an angular velocity.
 bool are_of_rates(const Words& words) {
   const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates"};
   const List about{"ang", "angular", "rotation", "rotational"};
-  const List of_motion{"vel", "velocity", "speed"};
+  const List of_motion{"vel", "velocity", "speed", "twist"};
   const List frames{"inertial", "ei", "eci", "earth"};
-  const List relative{"bn", "bi", "ib", "nb"};  // of the body, relative to an inertial frame
-  const List others{"body", "b", "imu", "sensor", "wrt", "space", "world", "global", "true"};
+  const List others{"body", "b", "wrt", "space", "world", "global", "true", "axis"};
+  const bool is_in_space = is_resolved_in_space(words);
   for (const std::string& word : words) {
     const bool is_known = is_in(rates, word) || is_in(about, word) || is_in(of_motion, word) ||
-                          is_in(frames, word) || is_in(relative, word) || is_in(others, word);
+                          is_in(frames, word) || is_in(others, word) || is_owner(word) ||
+                          is_frame_pair(word) ||
+                          (is_in_space && is_in({"n", "r", "i", "e", "g"}, word));
     if (!is_known) return false;
   }
+  if (are_of_other_quantity(words)) return false;
   // "omega_inertial_x" may be in the axes of inertial space, or relative to it.
   if (has_any(words, frames) && !has_any(words, {"body", "wrt"})) return false;
   return has_any(words, rates) || (has_any(words, about) && has_any(words, of_motion));
+}
+
+bool is_rate_in_radians_or_degrees(const StatedUnit& unit) {
+  return unit.is_per_second && (unit.rate == RateUnit::rad_s || unit.rate == RateUnit::deg_s);
 }
 
 void add_rates(const Words& all_words, std::vector<Role>& roles) {
@@ -80,16 +123,24 @@ void add_rates(const Words& all_words, std::vector<Role>& roles) {
                                           {"pqr", {{"p"}, {"q"}, {"r"}}},
                                           {"123", {{"1"}, {"2"}, {"3"}}},
                                           {"012", {{"0"}, {"1"}, {"2"}}}};
-  const Words words = stated_unit(all_words).other_words;
+  const StatedUnit unit = stated_unit(all_words);
+  const Words& words = unit.other_words;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Words rest = without(words, i);
     for (const Alphabet& alphabet : axes) {
       const auto component = component_of(alphabet, words[i]);
+      if (!component) continue;
+      // "AsX(deg/s)": its unit makes it a rate, whatever the name of the quantity is.
+      const bool has_axis = alphabet.name == "xyz" || alphabet.name == "rpy";
+      const bool is_rate_by_unit = has_axis && is_rate_in_radians_or_degrees(unit) &&
+                                   !are_of_other_quantity(words) &&
+                                   !has_any(rest, {"inertial", "ei", "eci", "earth"});
       const bool is_known =
           alphabet.name == "pqr" ? has_only(rest, {"body", "rate"}) : are_of_rates(rest);
-      if (!component || !is_known) continue;
+      if (!is_known && !is_rate_by_unit) continue;
       roles.push_back({group_of(alphabet, all_words, words[i]), *component,
-                       has_any(rest, {"space", "world", "global"}), false});
+                       has_any(rest, {"space", "world", "global"}) || is_resolved_in_space(rest),
+                       false});
     }
   }
 }
@@ -101,7 +152,9 @@ void add_euler(const Words& all_words, std::vector<Role>& roles) {
                                             {"zyx", {{"z"}, {"y"}, {"x"}}},
                                             {"012", {{"0"}, {"1"}, {"2"}}},
                                             {"123", {{"1"}, {"2"}, {"3"}}}};
-  const Words words = stated_unit(all_words).other_words;
+  const StatedUnit unit = stated_unit(all_words);
+  if (is_rate_in_radians_or_degrees(unit)) return;
+  const Words& words = unit.other_words;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Words rest = without(words, i);
     for (const Alphabet& alphabet : angles) {
@@ -127,7 +180,8 @@ void add_quaternion(const Words& words, std::vector<Role>& roles) {
   const Words rest = without(words, words.size() - 1);
   const List names{"q", "quat", "quaternion", "orientation", "orient", "attitude", "att"};
   const bool is_known = has_any(rest, names) && std::ranges::all_of(rest, [&](const auto& word) {
-                          return is_in(names, word) || is_in({"body", "rotation", "rot"}, word);
+                          return is_in(names, word) || is_in({"body", "rotation", "rot"}, word) ||
+                                 is_owner(word) || is_frame_pair(word);
                         });
   if (!is_known) return;
   for (const Alphabet& alphabet : parts) {
@@ -342,10 +396,18 @@ void add_rodrigues(const Words& words, std::vector<Role>& roles) {
 void add_time(const Words& all_words, std::vector<Role>& roles) {
   const StatedUnit unit = stated_unit(all_words);
   const Words& words = unit.other_words;
-  const bool is_named = has_any(words, {"t", "time"}) &&
-                        has_only(words, {"t", "time", "sim", "simulation", "elapsed"});
-  const bool has_unit = unit.time && has_only(words, {"timestamp", "stamp", "elapsed"});
-  if (!is_named && !has_unit) return;
+  const List clocks{"t",    "time", "timestamp", "timestamps", "stamp",    "epoch",
+                    "epoc", "ts",   "elapsed",   "datetime",   "unixtime", "utc"};
+  const List qualifiers{"sim",   "simulation",  "unix",        "gps",       "system", "sys",
+                        "boot",  "since",       "header",      "sample",    "fine",   "host",
+                        "log",   "logging",     "chip",        "local",     "date",   "reboot",
+                        "start", "measurement", "gyro",        "gyroscope", "rel",    "relative",
+                        "abs",   "absolute",    "acquisition", "1970"};
+  const bool is_time = has_any(words, clocks) || (unit.time && words.empty());
+  const bool is_known = std::ranges::all_of(words, [&](const std::string& word) {
+    return is_in(clocks, word) || is_in(qualifiers, word) || is_owner(word);
+  });
+  if (!is_time || !is_known || unit.rate) return;
   roles.push_back({fmt::format("{}", fmt::join(all_words, " ")), 0, false, false});
 }
 

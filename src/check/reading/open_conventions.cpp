@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -168,6 +169,27 @@ std::vector<ColumnChoice> choices_by_number(const table::Header& header) {
   return all;
 }
 
+/// The rates in a file that says by its own name rather than by those of its columns that it has
+/// rates: gyroscope.csv. Throws ColumnError if it does not: x, y, z may as well be a position.
+std::vector<ColumnSet> bare_rates(const table::Header& header) {
+  std::vector<ColumnSet> sets = find_bare_rates(header);
+  const std::vector<std::string> words = words_of(header.file.substr(header.file.rfind('/') + 1));
+  const bool is_named = std::ranges::any_of(words, [](const std::string& word) {
+    return word == "gyro" || word == "gyroscope" || word == "gyr" || word == "angular" ||
+           word == "omega" || word == "rate" || word == "rates" || word == "rotation";
+  });
+  if (sets.empty() || is_named) return sets;
+  std::map<std::string, std::string> columns;
+  std::string names;
+  for (std::size_t i = 0; i < 3; ++i) {
+    columns[names_of(Kind::rates)[i]] = name_for(header, sets.front().columns[i]);
+    names += (i == 0 ? "'" : ", '") + header.names[sets.front().columns[i]] + "'";
+  }
+  throw ColumnError(
+      header.file, format_columns(columns),
+      "no columns have names of rates or of an attitude, but " + names + " may be rates");
+}
+
 std::vector<ColumnChoice> column_choices(const table::Header& header, const Convention& said) {
   if (said.columns.empty() && is_without_names(header)) {
     if (auto choices = choices_by_number(header); !choices.empty()) return choices;
@@ -175,8 +197,10 @@ std::vector<ColumnChoice> column_choices(const table::Header& header, const Conv
   std::vector<std::optional<ColumnSet>> rates{said_rates(header, said)};
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
-    rates = or_nothing(find_rates(header));
-    attitude = or_nothing(find_attitudes(header));
+    std::vector<ColumnSet> found_rates = find_rates(header), found = find_attitudes(header);
+    if (found_rates.empty() && found.empty()) found_rates = bare_rates(header);
+    rates = or_nothing(found_rates);
+    attitude = or_nothing(found);
   }
   if (!rates.front() && !attitude.front()) {
     throw ColumnError(header.file, "", "no columns have names of rates or of an attitude",
@@ -239,11 +263,20 @@ std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& se
   return stated ? stated : said;
 }
 
-Stated<TimeUnit> time_in(const StatedUnit& words) { return {words.time, {}}; }
+Stated<TimeUnit> time_in(const StatedUnit& words) {
+  if (words.rate) return {{}, name_of(*words.rate).option};
+  return {words.time, words.unread};
+}
 
-Stated<RateUnit> rate_in(const StatedUnit& words) { return {words.rate, words.unread}; }
+Stated<RateUnit> rate_in(const StatedUnit& words) {
+  const bool is_time = words.unread.empty() && !words.rate && words.ends_with_time;
+  if (is_time) return {{}, name_of(*words.time).option};
+  return {words.rate, words.unread};
+}
 
 Stated<Angle> angle_in(const StatedUnit& words) {
+  const bool is_time = words.unread.empty() && !words.rate && words.ends_with_time;
+  if (is_time) return {{}, name_of(*words.time).option};
   if (!words.rate) return {{}, words.unread};
   const auto angle = angle_of(*words.rate);
   return {angle, angle ? words.unread : name_of(*words.rate).option};

@@ -10,15 +10,18 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Pair, 9> letters{{{"\u03c9", "omega"},
-                                       {"\u03a9", "omega"},
-                                       {"\u03c6", "phi"},
-                                       {"\u03d5", "phi"},
-                                       {"\u03b8", "theta"},
-                                       {"\u03c8", "psi"},
-                                       {"\u00b0", " deg "},
-                                       {"\u00b5", "u"},
-                                       {"\u03bc", "u"}}};
+constexpr std::array<Pair, 12> letters{{{"\u03c9", "omega"},
+                                        {"\u03a9", "omega"},
+                                        {"\u03c6", "phi"},
+                                        {"\u03d5", "phi"},
+                                        {"\u03b8", "theta"},
+                                        {"\u03c8", "psi"},
+                                        {"\u00b0", " deg "},
+                                        {"\u00b5", "u"},
+                                        {"\u03bc", "u"},
+                                        {"s^-1", "per s "},
+                                        {"s\u207b\u00b9", "per s "},
+                                        {"sec^-1", "per s "}}};
 
 /// Words that may precede a component without a separator: "qw", "omegax".
 constexpr std::array<std::string_view, 7> prefixes{"w", "omega", "gyro",  "rate",
@@ -86,20 +89,26 @@ struct TimeWord {
   std::string_view word;
   TimeUnit unit;
 };
-constexpr std::array<TimeWord, 19> time_words{{{"s", TimeUnit::s},
+constexpr std::array<TimeWord, 25> time_words{{{"s", TimeUnit::s},
                                                {"sec", TimeUnit::s},
                                                {"secs", TimeUnit::s},
                                                {"second", TimeUnit::s},
                                                {"seconds", TimeUnit::s},
                                                {"ms", TimeUnit::ms},
                                                {"msec", TimeUnit::ms},
+                                               {"msecs", TimeUnit::ms},
                                                {"millis", TimeUnit::ms},
+                                               {"millisecond", TimeUnit::ms},
                                                {"milliseconds", TimeUnit::ms},
                                                {"us", TimeUnit::us},
                                                {"usec", TimeUnit::us},
+                                               {"micros", TimeUnit::us},
+                                               {"microsecond", TimeUnit::us},
                                                {"microseconds", TimeUnit::us},
                                                {"ns", TimeUnit::ns},
                                                {"nsec", TimeUnit::ns},
+                                               {"nanos", TimeUnit::ns},
+                                               {"nanosecond", TimeUnit::ns},
                                                {"nanoseconds", TimeUnit::ns},
                                                {"mins", TimeUnit::min},
                                                {"minutes", TimeUnit::min},
@@ -118,6 +127,16 @@ std::optional<TimeUnit> time_at(std::span<const std::string> words, std::size_t 
   return words[at] == "h" ? std::optional(TimeUnit::h) : std::nullopt;
 }
 
+/// Units of other quantities, as a row of units may state them.
+constexpr std::array<std::string_view, 16> foreign_units{"m",  "m/s", "m/s^2", "m/s2", "m/s/s", "g",
+                                                         "mg", "T",   "uT",    "N",    "Nm",    "V",
+                                                         "A",  "%",   "Hz",    "Pa"};
+
+std::string_view without_brackets(std::string_view unit) {
+  const bool is_bracketed = unit.size() > 2 && (unit.front() == '[' || unit.front() == '(');
+  return is_bracketed ? unit.substr(1, unit.size() - 2) : unit;
+}
+
 /// Reads the unit that begins at `at`, if there is one: "deg per s", "rad / s", "rev / min", "ms".
 /// Returns its number of words.
 std::size_t take_unit(std::span<const std::string> words, std::size_t at, StatedUnit& unit) {
@@ -129,10 +148,13 @@ std::size_t take_unit(std::span<const std::string> words, std::size_t at, Stated
   if (angle != angle_words.end()) {
     unit.rate = angle->unit;
     const std::size_t next = at + 1 < words.size() && words[at + 1] == "per" ? at + 2 : at + 1;
+    constexpr std::array<std::string_view, 5> per_second{"dps", "degps", "radps", "rps", "rpm"};
     const bool is_a_minute = next < words.size() && words[next] == "min";
     if (is_a_minute && angle->unit == RateUnit::rev_s) unit.rate = RateUnit::rpm;
     if (is_a_minute && angle->unit != RateUnit::rev_s) unit.unread = words[at] + "/min";
-    return is_a_minute || time_at(words, next) == TimeUnit::s ? next + 1 - at : 1;
+    const bool has_time = is_a_minute || time_at(words, next) == TimeUnit::s;
+    unit.is_per_second = has_time || std::ranges::find(per_second, words[at]) != per_second.end();
+    return has_time ? next + 1 - at : 1;
   }
   if (const auto time = time_at(words, at)) {
     unit.time = time;
@@ -163,6 +185,7 @@ StatedUnit stated_unit(const std::vector<std::string>& words) {
   StatedUnit unit;
   for (std::size_t i = 0; i < words.size();) {
     const std::size_t taken = take_unit(words, i, unit);
+    unit.ends_with_time = taken == 1 && i + 1 == words.size() && time_at(words, i);
     if (taken == 0) unit.other_words.push_back(words[i]);
     i += std::max<std::size_t>(taken, 1);
   }
@@ -177,8 +200,12 @@ StatedUnit stated_unit(const table::Header& header, std::size_t column) {
   words.insert(words.begin(), "time");
   const StatedUnit below = stated_unit(words);
   if (below.rate) unit.rate = below.rate;
+  unit.is_per_second = unit.is_per_second || below.is_per_second;
   if (below.time) unit.time = below.time;
+  unit.ends_with_time = unit.ends_with_time || (below.time && !below.rate);
   if (!below.unread.empty()) unit.unread = below.unread;
+  const std::string_view cell = without_brackets(header.units[column]);
+  if (std::ranges::find(foreign_units, cell) != foreign_units.end()) unit.unread = cell;
   return unit;
 }
 

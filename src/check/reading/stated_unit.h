@@ -21,7 +21,9 @@ struct StatedUnit {
   std::vector<std::string> other_words;
   std::optional<RateUnit> rate;  ///< of an angular rate; for an angle, deg/s means deg
   std::optional<TimeUnit> time;
-  std::string unread;  ///< a unit of angles that is not supported ("gon"), or empty
+  bool ends_with_time = false;  ///< the last word is a unit of times alone: "wx_ms"
+  bool is_per_second = false;   ///< the unit of angles is divided by a time: "deg/s", but not "deg"
+  std::string unread;           ///< a unit of angles that is not supported ("gon"), or empty
 };
 
 /// Separates the words of units from the others.

@@ -12,11 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "check/conventions/names.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/hypotheses/readings.h"
 #include "check/reading/columns.h"
 #include "check/reading/open_conventions.h"
+#include "check/reading/time_choice.h"
 #include "check/report/option_text.h"
 #include "table/reader.h"
 
@@ -82,6 +84,21 @@ std::string choice_text(const Convention& said, const std::vector<Convention>& o
   return option_text(before, one);
 }
 
+/// Whether the conventions differ only in the order of the quaternion's numbered components, and
+/// this one has the scalar first, as q0 has it in most books.
+bool is_usual_order(const table::Header& header, const std::vector<Convention>& open,
+                    const Convention& one) {
+  if (open.size() != 2 || component_order(header, one) != "wxyz") return false;
+  const auto [first, last] =
+      std::pair{component_order(header, open[0]), component_order(header, open[1])};
+  const auto other_columns = [](Convention convention) {
+    for (const std::string& ours : names_of(Kind::quaternion)) convention.columns.erase(ours);
+    return convention.columns;
+  };
+  return first != last && header.names.front() != "#1" && open[0].time_unit == open[1].time_unit &&
+         other_columns(open[0]) == other_columns(open[1]);
+}
+
 InvalidArgument ambiguous(const table::Header& header, const Convention& said,
                           const std::vector<Convention>& open,
                           const std::optional<Reading>& fitting) {
@@ -130,10 +147,11 @@ std::optional<Reading> unexpected(const Recording& recording, const Problem& pro
 Convention choose_convention(const Recording& recording, const Convention& given,
                              const Problem& problem) {
   const table::Header& header = recording.header();
-  std::vector<Convention> open = conventions(header, given);
+  std::vector<Convention> open = with_times(recording, conventions(header, given));
   for (Convention& convention : open) convention.inertia = problem.inertia;
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));
+  if (fitting && is_usual_order(header, open, fitting->convention)) return fitting->convention;
   if (!fitting) fitting = unexpected(recording, problem, open);
   throw ambiguous(header, given, open, fitting);
 }

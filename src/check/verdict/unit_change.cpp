@@ -72,7 +72,7 @@ void UnitWatch::require_one_unit() const {
     throw unit_change(momentum_, "the angular momentum",
                       "convert the rates to one unit, or give each unit a file");
   }
-  if (of_interval && is_between_units(*of_interval, time_units(), &TimeUnitName::in_s)) {
+  if (of_interval && is_between_units(*of_interval, common_time_units(), &TimeUnitName::in_s)) {
     throw unit_change(interval_, "the time between rows",
                       "convert the times to one unit, or give each unit a file");
   }

@@ -103,6 +103,8 @@ TEST(ErrorReport, OtherRemediesThatTakeAnOptionNameIt) {
   EXPECT_EQ(remedy_for(system::OverwriteError("v.mp4", "b", "rename it")), "rename it");
   EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "wz", "b", "its columns are: t, p")),
             "--columns wz=NAME names it; its columns are: t, p");
+  EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "wx=x,wy=y,wz=z", "b")),
+            "if they are meant, add --columns 'wx=x,wy=y,wz=z'");
   EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "", "b", "its columns are: t, p")),
             "--columns t=NAME,wx=NAME,wy=NAME,wz=NAME names them; its columns are: t, p");
 }

@@ -133,14 +133,118 @@ TEST(Conventions, FindTheUsualNamesOfAttitudes) {
 }
 
 TEST(Conventions, FindTheUsualNamesOfTimes) {
-  for (const char* name : {"t", "T", "time", "Time (s)", "t_s", "time_ms", "sim_time",
-                           "timestamp_ns", "seconds", "elapsed [s]"}) {
+  for (const char* name : {"t",
+                           "T",
+                           "time",
+                           "Time (s)",
+                           "t_s",
+                           "time_ms",
+                           "sim_time",
+                           "timestamp_ns",
+                           "seconds",
+                           "elapsed [s]",
+                           "timestamp",
+                           "stamp",
+                           "epoch",
+                           "unix time",
+                           "time_usec",
+                           "TimeUS",
+                           "t_ns",
+                           "header.stamp",
+                           "utc",
+                           "SampleTimeFine",
+                           "seconds_elapsed",
+                           "epoc (ms)",
+                           "timestamp [ns]"}) {
     EXPECT_THAT(readings_of({name, "p", "q", "r"}),
                 ElementsAre(StartsWith(std::string("t=") + name)));
   }
-  // A timestamp may count anything.
-  EXPECT_THAT(refusal({"timestamp", "p", "q", "r"}),
-              HasSubstr("no column is recognised as the time"));
+  for (const char* name : {"PacketCounter", "time (deg)", "time_offset", "dt", "sample", "rate"}) {
+    EXPECT_THAT(refusal({name, "wx", "wy", "wz"}), HasSubstr("no column is recognised as the time"))
+        << name;
+  }
+}
+
+TEST(Conventions, FindRatesAsLoggersNameThem) {
+  const std::vector<Names> loggers{
+      {"gyro_x", "gyro_y", "gyro_z"},
+      {"GyroX", "GyroY", "GyroZ"},
+      {"gyroscope_x", "gyroscope_y", "gyroscope_z"},
+      {"ang_vel_x", "ang_vel_y", "ang_vel_z"},
+      {"rotation_rate_x", "rotation_rate_y", "rotation_rate_z"},
+      {"field.angular_velocity.x", "field.angular_velocity.y", "field.angular_velocity.z"},
+      {"twist.angular.x", "twist.angular.y", "twist.angular.z"},
+      {"motionRotationRateX(rad/s)", "motionRotationRateY(rad/s)", "motionRotationRateZ(rad/s)"},
+      {"Gyr_X", "Gyr_Y", "Gyr_Z"},
+      {"w_RS_S_x [rad s^-1]", "w_RS_S_y [rad s^-1]", "w_RS_S_z [rad s^-1]"},
+      {"omega_BN_B_1", "omega_BN_B_2", "omega_BN_B_3"},
+      {"AsX(\u00b0/s)", "AsY(\u00b0/s)", "AsZ(\u00b0/s)"},
+      {"x-axis (deg/s)", "y-axis (deg/s)", "z-axis (deg/s)"},
+      {"roll (deg/s)", "pitch (deg/s)", "yaw (deg/s)"}};
+  for (const Names& names : loggers) {
+    EXPECT_THAT(readings_of({"t", names[0], names[1], names[2]}),
+                ElementsAre("t=t,wx=" + names[0] + ",wy=" + names[1] + ",wz=" + names[2]));
+  }
+  EXPECT_TRUE(conventions(header_of({"t", "qw", "qx", "qy", "qz", "omega_BN_N_1", "omega_BN_N_2",
+                                     "omega_BN_N_3"}),
+                          {})
+                  .front()
+                  .rates_in_space);
+}
+
+// Names that say nothing are rates only if the file's own name says so.
+TEST(Conventions, TakeBareNamesForRatesInAFileOfAGyroscope) {
+  for (const Names& names :
+       {Names{"x", "y", "z"}, Names{"xyz[0]", "xyz[1]", "xyz[2]"}, Names{"gx", "gy", "gz"}}) {
+    const std::string columns = "wx=" + names[0] + ",wy=" + names[1] + ",wz=" + names[2];
+    table::Header header = header_of({"t", names[2], names[1], names[0]});
+    EXPECT_THAT(refusal(header, {}), AllOf(HasSubstr("'" + names[0] + "'"), HasSubstr(columns)));
+    header.file = "folder/vehicle_angular_velocity_0.csv";
+    ASSERT_EQ(refusal(header, {}), "no error");
+    EXPECT_EQ(format_columns(conventions(header, {}).front().columns), "t=t," + columns);
+  }
+}
+
+TEST(Conventions, TakeNothingElseForRates) {
+  const std::vector<Names> others{
+      {"gyro_bias_x", "gyro_bias_y", "gyro_bias_z"},
+      {"b_w_RS_S_x [rad s^-1]", "b_w_RS_S_y [rad s^-1]", "b_w_RS_S_z [rad s^-1]"},
+      {"xyz_derivative[0]", "xyz_derivative[1]", "xyz_derivative[2]"},
+      {"x (m/s^2)", "y (m/s^2)", "z (m/s^2)"},
+      {"rate_setpoint_x", "rate_setpoint_y", "rate_setpoint_z"},
+      {"acc_x (rad/s)", "acc_y (rad/s)", "acc_z (rad/s)"},
+      {"gyro_x (m/s^2)", "gyro_y (m/s^2)", "gyro_z (m/s^2)"}};
+  for (const Names& names : others) {
+    EXPECT_THAT(refusal({"t", names[0], names[1], names[2]}),
+                HasSubstr("no columns have names of rates or of an attitude"))
+        << names[0];
+  }
+  // x, y, z beside an attitude are a position.
+  EXPECT_THAT(readings_of({"t", "x", "y", "z", "qx", "qy", "qz", "qw"}),
+              ElementsAre("t=t,qw=qw,qx=qx,qy=qy,qz=qz"));
+}
+
+// EuRoC's ground truth: the rates in it are biases.
+TEST(Conventions, FindAttitudesAsDatasetsNameThem) {
+  EXPECT_THAT(readings_of({"timestamp", "p_RS_R_x [m]", "p_RS_R_y [m]", "p_RS_R_z [m]", "q_RS_w []",
+                           "q_RS_x []", "q_RS_y []", "q_RS_z []", "b_w_RS_S_x [rad s^-1]",
+                           "b_w_RS_S_y [rad s^-1]", "b_w_RS_S_z [rad s^-1]"}),
+              ElementsAre("t=timestamp,qw=q_RS_w [],qx=q_RS_x [],qy=q_RS_y [],qz=q_RS_z []"));
+  EXPECT_THAT(readings_of({"timestamp", "q[0]", "q[1]", "q[2]", "q[3]", "delta_q_reset[0]",
+                           "quat_reset_counter"}),
+              SizeIs(2));
+  EXPECT_THAT(
+      readings_of({"time", "field.orientation.x", "field.orientation.y", "field.orientation.z",
+                   "field.orientation.w", "field.orientation_covariance0"}),
+      SizeIs(1));
+}
+
+TEST(Conventions, RefuseUnitsOfOtherQuantities) {
+  EXPECT_THAT(refusal({"t", "wx_ms", "wy_ms", "wz_ms"}), HasSubstr("'wx_ms' is in ms"));
+  EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"s", "g", "g", "g"}), {}),
+              HasSubstr("'wx' is in g"));
+  EXPECT_THAT(refusal(header_of({"t", "wx", "wy", "wz"}, {"deg", "rad/s", "rad/s", "rad/s"}), {}),
+              HasSubstr("'t' is in deg"));
 }
 
 TEST(Conventions, PutOurOwnNamesBeforeOthers) {
