@@ -44,6 +44,9 @@ Input::Input(const std::filesystem::path& path) : name_(path.string()) {
 Input::Input(std::string name, std::string_view bytes)
     : name_(std::move(name)), size_(bytes.size()), bytes_(bytes) {}
 
+Input::Input(std::string name, std::shared_ptr<const std::string> bytes)
+    : name_(std::move(name)), size_(bytes->size()), shared_(std::move(bytes)), bytes_(*shared_) {}
+
 std::size_t Input::read(std::uint64_t offset, char* to, std::size_t length) const {
   if (!file_) {
     if (offset >= bytes_.size()) return 0;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ class Input {
   /// The bytes must outlive the input.
   Input(std::string name, std::string_view bytes);
 
+  /// Shares the bytes.
+  Input(std::string name, std::shared_ptr<const std::string> bytes);
+
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
 
@@ -34,6 +38,7 @@ class Input {
   std::string name_;
   std::uint64_t size_ = 0;
   system::Descriptor file_;
+  std::shared_ptr<const std::string> shared_;
   std::string_view bytes_;
 };
 

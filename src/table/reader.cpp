@@ -17,6 +17,7 @@
 #include "table/json_reader.h"
 #include "table/line_reader.h"
 #include "table/npy_reader.h"
+#include "table/utf16.h"
 
 namespace twrench::table {
 namespace {
@@ -67,6 +68,7 @@ bool is_json(std::string_view text) {
 std::unique_ptr<Reader> open_format(Input input) {
   std::array<char, 4096> bytes{};
   const std::string_view start(bytes.data(), input.read(0, bytes.data(), bytes.size()));
+  if (has_utf16_mark(start)) return open_format(utf8_from_utf16(input));
   if (start.starts_with("\x93NUMPY")) return std::make_unique<NpyReader>(std::move(input));
   const auto kind = system::recognized_file_kind(start);
   if (kind && !begins_like_table(start)) {

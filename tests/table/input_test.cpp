@@ -50,8 +50,7 @@ TEST(Input, SaysWhatIsNoTable) {
   EXPECT_THAT(file_error_of("\x1F\x8B\x08"),
               AllOf(HasSubstr("compressed by gzip"), HasSubstr("gunzip")));
   EXPECT_THAT(file_error_of("PK\x03\x04"), HasSubstr(".npz"));
-  EXPECT_THAT(file_error_of("\xFF\xFEt"), HasSubstr("iconv"));
-  EXPECT_THAT(file_error_of("\xFE\xFF"), HasSubstr("UTF-16"));
+  EXPECT_THAT(file_error_of(std::string_view("t\0,\0w\0\n\0", 8)), HasSubstr("UTF-16"));
   EXPECT_THAT(file_error_of(std::string_view("t\0,\0", 4)), HasSubstr("binary"));
   for (const auto& [bytes, kind] :
        {std::pair<std::string_view, const char*>("\xFF\xD8\xFF\xE0", "the file is a JPEG picture"),
@@ -81,6 +80,45 @@ TEST(Window, ShowsTheBytesAskedFor) {
     const std::string expected = offset < bytes.size() ? bytes.substr(offset, 10) : "";
     EXPECT_EQ(window.at(offset, 10), expected) << offset;
   }
+}
+
+/// The text in UTF-16 with its byte order mark.
+std::string in_utf16(std::u16string_view text, bool big_endian) {
+  std::string bytes;
+  const auto add = [&](char16_t unit) {
+    const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 0xFF);
+    bytes += big_endian ? high : low;
+    bytes += big_endian ? low : high;
+  };
+  add(0xFEFF);
+  for (const char16_t unit : text) add(unit);
+  return bytes;
+}
+
+TEST(Input, ConvertsUtf16) {
+  for (const bool big_endian : {false, true}) {
+    const Table table =
+        read_table(in_utf16(u"t (\u00b5s)\twx \U0001D714\r\n0\t1.5\r\n1\t2.5\r\n", big_endian));
+    EXPECT_EQ(table.names, (std::vector<std::string>{"t (\u00b5s)", "wx \U0001D714"}));
+    EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{0, 1.5}, {1, 2.5}}));
+  }
+}
+
+// A character whose two units are in different blocks of the file.
+TEST(Input, ConvertsLongUtf16) {
+  std::u16string text = u"t,wx\n";
+  while (text.size() < 400'000) text += u"# \U0001D714\U0001D714 \n";
+  EXPECT_EQ(read_table(in_utf16(text + u"1,2\n", false)).rows,
+            (std::vector<std::vector<double>>{{1, 2}}));
+}
+
+TEST(Input, RefusesBrokenUtf16) {
+  std::string cut = in_utf16(u"t,wx\n0,1\n1,2", false);
+  cut.pop_back();
+  EXPECT_THAT(file_error_of(cut), HasSubstr("ends within a character"));
+  EXPECT_THAT(file_error_of(in_utf16(u"t,wx\n0,\xDC00", true)),
+              HasSubstr("invalid character at byte 16"));
+  EXPECT_THAT(file_error_of(in_utf16(u"", true)), HasSubstr("the file is empty"));
 }
 
 }  // namespace
