@@ -275,7 +275,7 @@ RandomRecording recording_with(std::string_view mistake, RecordedBody body, std:
   Convention told;
   told.columns = columns_of(AttitudeForm::none, true);
   Convention right = told;
-  for (const TimeUnitName& name : time_units()) {
+  for (const TimeUnitName& name : common_time_units()) {
     if (mistake == name.option) right.time_unit = name.unit;
   }
   for (const RateUnitName& name : rate_units()) {
@@ -304,7 +304,7 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   told.inertia = motion.moments.asDiagonal();
   if (form == AttitudeForm::euler) told.sequence = "zyx";
   Convention right = told;
-  if (dice.chance(0.5)) right.time_unit = dice.pick(time_units()).unit;
+  if (dice.chance(0.5)) right.time_unit = dice.pick(common_time_units()).unit;
   if (rates && !momentum && dice.chance(0.5)) right.rate_unit = dice.pick(rate_units()).unit;
   if (dice.chance(0.5)) right.axes = dice.pick(all_body_axes());
   right.angle_unit = angle_unit(told);

@@ -89,6 +89,32 @@ TEST(Recording, KeepsItsFirstRowsForAllConventions) {
   EXPECT_EQ(passes, 1);
 }
 
+// Where q0 is the scalar, as usual, and this fits, the order is no question.
+TEST(Recording, ReadsNumberedQuaternionsInTheirUsualOrder) {
+  std::string text = quaternions();
+  text.replace(text.find("q1,q2,q3,q4"), 11, "q0,q1,q2,q3");
+  const Recording recording(table::open_table("run.csv", text));
+  EXPECT_EQ(choose_convention(recording, {}, tumbling_problem()).columns.at("qw"), "q0");
+  text.replace(text.find("q0,q1,q2,q3"), 11, "q3,q0,q1,q2");
+  const Recording last(table::open_table("run.csv", text));
+  EXPECT_THROW(choose_convention(last, {}, tumbling_problem()), InvalidArgument);
+}
+
+// Two units are possible, and only one of them fits.
+TEST(Recording, NamesTheOptionOfTheUnitOfTimesThatFits) {
+  std::string text = "timestamp,wx,wy,wz\n";
+  for (const Row& row : exact_rows()) {
+    text += fmt::format("{:.0f},{},{},{}\n", 1e3 * row.t, row.omega[0], row.omega[1], row.omega[2]);
+  }
+  const Recording recording(table::open_table("run.csv", text));
+  try {
+    choose_convention(recording, {}, tumbling_problem());
+    ADD_FAILURE() << "it chose";
+  } catch (const InvalidArgument& error) {
+    EXPECT_THAT(error.remedy(), testing::HasSubstr("add --time-unit ms"));
+  }
+}
+
 // One for the initial state, one for the errors. A wrong convention is found in the first rows, and
 // confirmed in two more: one for the wrong laws, one for all rows in the reading that is proposed.
 TEST(Recording, IsJudgedInFewPasses) {

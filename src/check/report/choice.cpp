@@ -18,6 +18,7 @@
 #include "check/hypotheses/readings.h"
 #include "check/reading/columns.h"
 #include "check/reading/open_conventions.h"
+#include "check/reading/stated_unit.h"
 #include "check/reading/time_choice.h"
 #include "check/report/option_text.h"
 #include "table/reader.h"
@@ -84,19 +85,20 @@ std::string choice_text(const Convention& said, const std::vector<Convention>& o
   return option_text(before, one);
 }
 
-/// Whether the conventions differ only in the order of the quaternion's numbered components, and
-/// this one has the scalar first, as q0 has it in most books.
+/// Whether the conventions differ only in the order of a quaternion q0, q1, q2, q3, and this one
+/// has the scalar first, as these names mean in most books.
 bool is_usual_order(const table::Header& header, const std::vector<Convention>& open,
                     const Convention& one) {
   if (open.size() != 2 || component_order(header, one) != "wxyz") return false;
-  const auto [first, last] =
-      std::pair{component_order(header, open[0]), component_order(header, open[1])};
-  const auto other_columns = [](Convention convention) {
+  const std::vector<std::string> words =
+      words_of(header.names[find_column(header, "qw", one.columns.at("qw"))]);
+  const auto without_quaternion = [](Convention convention) {
     for (const std::string& ours : names_of(Kind::quaternion)) convention.columns.erase(ours);
     return convention.columns;
   };
-  return first != last && header.names.front() != "#1" && open[0].time_unit == open[1].time_unit &&
-         other_columns(open[0]) == other_columns(open[1]);
+  const bool is_named = words.size() > 1 && words.back() == "0";
+  return is_named && open[0].time_unit == open[1].time_unit &&
+         without_quaternion(open[0]) == without_quaternion(open[1]);
 }
 
 InvalidArgument ambiguous(const table::Header& header, const Convention& said,
