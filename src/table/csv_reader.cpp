@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "system/error.h"
+#include "table/calendar.h"
 #include "table/csv_header.h"
 #include "table/error.h"
 #include "table/number_text.h"
@@ -34,6 +35,19 @@ void CsvReader::read_header(const Sample& sample) {
     throw BadTable(header_.file, "it has a header, but no rows");
   }
   first_line_ = sample.lines[header.first_row].number;
+  find_calendar_times(sample.lines[header.first_row].text);
+}
+
+void CsvReader::find_calendar_times(std::string_view first_row) {
+  split_cells(first_row, dialect_.separator, cells_);
+  std::vector<Calendar> calendar(header_.names.size());
+  for (std::size_t i = 0; i < std::min(cells_.size(), calendar.size()); ++i) {
+    Number number;
+    if (!is_numeric(cells_[i])) calendar[i] = read_calendar(cells_[i], number);
+  }
+  const bool has_any =
+      std::ranges::any_of(calendar, [](Calendar kind) { return kind != Calendar::none; });
+  if (has_any) header_.calendar = std::move(calendar);
 }
 
 void CsvReader::begin_pass(std::span<const std::size_t> columns) {
@@ -90,6 +104,10 @@ void CsvReader::read_blanks_or_quotes(std::string_view line, std::span<Number> n
 
 void CsvReader::read_cell(std::string_view cell, const Selected& selected,
                           std::span<Number> numbers) const {
+  if (header_.calendar_of(selected.column) != Calendar::none) {
+    read_calendar_time(trimmed(cell), selected, numbers);
+    return;
+  }
   Number& number = numbers[selected.place];
   Reading reading = read_number(cell, dialect_.decimal_comma, number);
   if (reading == Reading::text) {
@@ -99,6 +117,13 @@ void CsvReader::read_cell(std::string_view cell, const Selected& selected,
   const std::string& name = header_.names[selected.column];
   if (reading == Reading::text) throw no_number(place(), name, cell);
   if (reading == Reading::too_large) throw too_large(place(), name, cell);
+}
+
+void CsvReader::read_calendar_time(std::string_view cell, const Selected& selected,
+                                   std::span<Number> numbers) const {
+  const Calendar kind = read_calendar(cell, numbers[selected.place]);
+  if (kind == header_.calendar_of(selected.column)) return;
+  throw no_calendar_time(place(), header_.names[selected.column], cell);
 }
 
 void CsvReader::require_columns(std::size_t count, std::string_view last) const {

@@ -29,9 +29,12 @@ class CsvReader : public Reader {
   };
 
   void read_header(const Sample& sample);
+  void find_calendar_times(std::string_view first_row);
   bool next_line(std::string_view& line);
   void read_blanks_or_quotes(std::string_view line, std::span<Number> numbers);
   void read_cell(std::string_view cell, const Selected& selected, std::span<Number> numbers) const;
+  void read_calendar_time(std::string_view cell, const Selected& selected,
+                          std::span<Number> numbers) const;
   void require_columns(std::size_t count, std::string_view last) const;
 
   Input input_;

@@ -31,4 +31,11 @@ BadTable too_large(const std::string& row_place, const std::string& column, std:
           "correct or remove the row"};
 }
 
+BadTable no_calendar_time(const std::string& row_place, const std::string& column,
+                          std::string_view text) {
+  return {cell_place(row_place, column),
+          fmt::format("{} is no calendar time of the form in the first row", shown(text)),
+          "write all times as 2026-03-04T10:11:05.25, with at most nine decimals"};
+}
+
 }  // namespace twrench::table

@@ -20,6 +20,10 @@ std::string cell_place(const std::string& row_place, const std::string& column);
 /// The error for a cell that is not a number: it has other text, or none.
 BadTable no_number(const std::string& row_place, const std::string& column, std::string_view text);
 
+/// The error for a cell that has no calendar time of the kind in the first row.
+BadTable no_calendar_time(const std::string& row_place, const std::string& column,
+                          std::string_view text);
+
 /// The error for a number beyond the range of doubles.
 BadTable too_large(const std::string& row_place, const std::string& column, std::string_view text);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "system/error.h"
+#include "table/calendar.h"
 #include "table/error.h"
 
 namespace twrench::table {
@@ -16,6 +17,19 @@ JsonReader::JsonReader(Input input) : input_(std::move(input)), cursor_(input_) 
   find_rows();
   if (!next_row()) throw BadTable(header_.file, "it has no rows");
   header_.names = row_.names;
+  find_calendar_times();
+}
+
+void JsonReader::find_calendar_times() {
+  std::vector<Calendar> calendar;
+  for (const JsonCell& cell : row_.cells) {
+    Number number;
+    const bool is_text = cell.kind == JsonCell::Kind::other;
+    calendar.push_back(is_text ? read_calendar(cell.text, number) : Calendar::none);
+  }
+  const bool has_any =
+      std::ranges::any_of(calendar, [](Calendar kind) { return kind != Calendar::none; });
+  if (has_any) header_.calendar = std::move(calendar);
 }
 
 /// Moves to the first row.
@@ -92,6 +106,10 @@ bool JsonReader::next(std::span<Number> numbers) {
   for (std::size_t i = 0; i < selected_.size(); ++i) {
     const std::string& name = header_.names[selected_[i]];
     const JsonCell& cell = cell_of(selected_[i]);
+    if (const Calendar kind = header_.calendar_of(selected_[i]); kind != Calendar::none) {
+      if (read_calendar(cell.text, numbers[i]) == kind) continue;
+      throw no_calendar_time(place(), name, cell.text);
+    }
     switch (cell.kind) {
       case JsonCell::Kind::missing:
         throw system::FileError(place(), fmt::format("the row has no '{}'", name),

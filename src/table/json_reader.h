@@ -28,6 +28,7 @@ class JsonReader : public Reader {
 
   void find_rows();
   bool find_samples();
+  void find_calendar_times();
   bool next_row();
   void finish();
   const JsonCell& cell_of(std::size_t column) const;

@@ -11,6 +11,9 @@
 
 namespace twrench::table {
 
+/// Whether the cells of a column are calendar times, and of what kind.
+enum class Calendar { none, date, time_of_day, date_time };
+
 /// The names and units of a file's columns, and what it states about an attitude.
 struct Header {
   std::string file;                ///< the path, as messages name it
@@ -18,6 +21,13 @@ struct Header {
   std::vector<std::string> units;  ///< of each column, from a row below the names; or empty
   std::optional<bool> states_inverse = {};  ///< whether the attitude is body from space
   std::string sequence = {};                ///< of Euler angles, "zyx"; empty if not stated
+  /// Of each column, from the first row; or empty if no column has calendar times. Their numbers
+  /// are in s since 1970, or since midnight.
+  std::vector<Calendar> calendar;
+
+  Calendar calendar_of(std::size_t column) const {
+    return column < calendar.size() ? calendar[column] : Calendar::none;
+  }
 };
 
 /// A number, and how many digits of it were written.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "check/reading/column_error.h"
 #include "check/reading/column_words.h"
 #include "check/reading/stated_unit.h"
+#include "check/reading/summed_times.h"
 
 namespace twrench::check {
 namespace {
@@ -61,7 +63,42 @@ Group find_ours(const table::Header& header, Kind kind) {
   return group;
 }
 
+/// The columns that are a part of a time that is a sum of two columns.
+std::set<std::size_t> terms_of_sums(const table::Header& header) {
+  std::set<std::size_t> terms;
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    if (const auto pair = terms_of(header, column)) terms.insert({pair->first, pair->second});
+  }
+  return terms;
+}
+
+/// Calendar times and sums of two columns are times whatever their names are.
+std::map<std::string, Group> find_times(const table::Header& header) {
+  std::map<std::string, Group> groups;
+  const std::set<std::size_t> terms = terms_of_sums(header);
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    const bool is_composed =
+        header.calendar_of(column) != table::Calendar::none || terms_of(header, column);
+    if (terms.contains(column) || is_composed) continue;
+    for (const Role& role : roles_of(words_of(header.names[column]), Kind::time)) {
+      Group& group = groups[role.group];
+      group.columns.resize(1);
+      group.columns[0].push_back(column);
+    }
+  }
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    const table::Calendar calendar = header.calendar_of(column);
+    const bool is_calendar =
+        calendar == table::Calendar::date_time || calendar == table::Calendar::time_of_day;
+    const bool is_composed = is_calendar || terms_of(header, column);
+    if (is_composed && !terms.contains(column))
+      groups[fmt::format("#{}", column)].columns = {{column}};
+  }
+  return groups;
+}
+
 std::map<std::string, Group> find_groups(const table::Header& header, Kind kind) {
+  if (kind == Kind::time) return find_times(header);
   std::map<std::string, Group> groups;
   for (std::size_t column = 0; column < header.names.size(); ++column) {
     for (const Role& role : roles_of(words_of(header.names[column]), kind)) {

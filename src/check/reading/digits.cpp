@@ -155,7 +155,7 @@ void TimeDigits::add(const table::Number& number) {
   if (count_ == 1) first_ = number;
   const double since = (number.value - first_.value) + (number.rest - first_.rest);
   if (count_ == 2) step_ = since;
-  const bool is_exact = is_written_exactly(number);
+  const bool is_exact = are_known_exact_ || is_written_exactly(number);
   are_exact_ = are_exact_ && is_exact;
   are_round_ = are_round_ && is_round(number);
   if (is_exact && since != 0) {

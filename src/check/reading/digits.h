@@ -72,6 +72,10 @@ class Digits {
 /// Does the same for times since the first one, which may be exact with few digits.
 class TimeDigits {
  public:
+  /// `are_exact` is whether all digits were written, as of calendar times and of times in two
+  /// columns. Other numbers of more digits than a double has may be doubles that were printed.
+  explicit TimeDigits(bool are_exact = false) : are_known_exact_(are_exact) {}
+
   void add(const table::Number& number);
 
   /// Returns the resolution of doubles if the times are equally spaced in all their digits, or a
@@ -84,6 +88,7 @@ class TimeDigits {
   table::Number first_;
   double step_ = 0;
   bool equally_spaced_ = true, are_round_ = true;
+  bool are_known_exact_;
   bool are_exact_ = true;  ///< no number was rounded to a double
   bool are_long_ = false;  ///< some have more digits than the differences need
   int decimals_ = std::numeric_limits<int>::min();  ///< the most of a difference

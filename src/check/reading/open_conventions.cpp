@@ -222,6 +222,11 @@ void add_columns(const table::Header& header, const ColumnSet& set, Convention& 
   for (std::size_t i = 0; i < set.columns.size(); ++i) {
     const std::string& ours = names_of(set.kind)[i];
     const std::string theirs = name_for(header, set.columns[i]);
+    if (set.kind != Kind::time && header.calendar_of(set.columns[i]) != table::Calendar::none) {
+      throw ColumnError(header.file, ours,
+                        fmt::format("the column '{}' has calendar times, not {}", theirs, ours),
+                        columns_remedy(header));
+    }
     for (const auto& [other, column] : convention.columns) {
       if (column != theirs) continue;
       throw ColumnError(
@@ -282,12 +287,26 @@ Stated<Angle> angle_in(const StatedUnit& words) {
   return {angle, angle ? words.unread : name_of(*words.rate).option};
 }
 
+/// The unit of the times. Calendar times are in seconds, whatever the name of their column states.
+std::optional<TimeUnit> time_unit_of(const table::Header& header, const ColumnSet& set,
+                                     std::optional<TimeUnit> said) {
+  const std::size_t column = set.columns.front();
+  if (header.calendar_of(column) == table::Calendar::none) {
+    return unit_of_set(header, set, said, time_in);
+  }
+  if (!said || *said == TimeUnit::s) return TimeUnit::s;
+  throw table::BadTable(header.file,
+                        fmt::format("the column '{}' has calendar times, but {} is given",
+                                    header.names[column], name_of(*said).option),
+                        "one of the two is wrong");
+}
+
 Convention convention_of(const table::Header& header, const ColumnChoice& choice,
                          const Convention& said) {
   Convention convention = said;
   convention.columns.clear();
   add_columns(header, choice.time, convention);
-  convention.time_unit = unit_of_set(header, choice.time, said.time_unit, time_in);
+  convention.time_unit = time_unit_of(header, choice.time, said.time_unit);
   if (choice.rates) {
     add_columns(header, *choice.rates, convention);
     if (choice.rates->kind == Kind::rates) {

@@ -9,6 +9,7 @@
 
 #include "check/conventions/convention.h"
 #include "check/reading/row_reader.h"
+#include "check/reading/summed_times.h"
 #include "table/reader.h"
 
 namespace twrench::check {
@@ -26,7 +27,8 @@ struct RowSample {
 /// threads may read it at once.
 class Recording {
  public:
-  explicit Recording(std::unique_ptr<table::Reader> table) : table_(std::move(table)) {}
+  explicit Recording(std::unique_ptr<table::Reader> table)
+      : table_(with_summed_times(std::move(table))) {}
   /// Opens a file. Throws what table::open_table throws.
   explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {}
 

@@ -10,6 +10,8 @@
 
 #include "check/reading/digits.h"
 #include "check/reading/row_decoder.h"
+#include "check/reading/summed_times.h"
+#include "table/calendar.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -18,14 +20,17 @@ struct RowReader::State {
   State(std::shared_ptr<table::Reader> opened, const Convention& meant);
 
   void require_later(const Row& row) const;
+  table::Calendar calendar() const;
+  bool has_calendar() const { return calendar() != table::Calendar::none; }
+  std::string time_text(const table::Number& time) const;
 
   std::shared_ptr<table::Reader> reader;
   Convention convention;
   RowDecoder decoder;
   std::vector<table::Number> numbers;
   std::size_t rows = 0;
-  double last_time = 0;    ///< as in Row
-  double last_number = 0;  ///< the same as the file has it
+  double last_time = 0;       ///< as in Row
+  table::Number last_number;  ///< the same as the file has it
   TimeDigits time_digits;
   Digits rate_digits, attitude_digits;
   double largest_momentum = 0;  ///< of the components, in the file's unit
@@ -35,7 +40,8 @@ RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention&
     : reader(std::move(opened)),
       convention(meant),
       decoder(reader->header(), convention, [this] { return reader->place(); }),
-      numbers(decoder.columns().size()) {
+      numbers(decoder.columns().size()),
+      time_digits(has_calendar() || terms_of(reader->header(), decoder.columns().front())) {
   reader->begin_pass(decoder.columns());
 }
 
@@ -43,7 +49,7 @@ void RowReader::State::require_later(const Row& row) const {
   constexpr double least = 1e-15;  // s, as of a method's steps
   if (rows == 0 || row.t - last_time >= least) return;
   const double t = numbers.front().value;
-  const bool is_doubled = t == last_number || row.t == last_time;
+  const bool is_doubled = t == last_number.value || row.t == last_time;
   if (!is_doubled && row.t > last_time) {
     throw table::BadTable(
         table::cell_place(reader->place(), reader->header().names[decoder.columns().front()]),
@@ -55,11 +61,22 @@ void RowReader::State::require_later(const Row& row) const {
   }
   throw table::BadTable(
       table::cell_place(reader->place(), reader->header().names[decoder.columns().front()]),
-      fmt::format("the time {} {} of the row before{}", t,
+      fmt::format("the time {} {} of the row before{}", time_text(numbers.front()),
                   is_doubled ? "is that" : "is before that",
-                  is_doubled ? "" : fmt::format(", {}", last_number)),
-      is_doubled ? "remove doubled rows, or write times with more digits"
-                 : "sort the rows by time, or give one run a file");
+                  is_doubled ? "" : fmt::format(", {}", time_text(last_number))),
+      is_doubled       ? "remove doubled rows, or write times with more digits"
+      : has_calendar() ? "a clock goes back at midnight, at the end of summer time and at a leap "
+                         "second: write times in UTC with their date, or give each part a file"
+                       : "sort the rows by time, or give one run a file");
+}
+
+table::Calendar RowReader::State::calendar() const {
+  return reader->header().calendar_of(decoder.columns().front());
+}
+
+std::string RowReader::State::time_text(const table::Number& time) const {
+  if (calendar() == table::Calendar::none) return fmt::format("{}", time.value);
+  return table::calendar_text(calendar(), time);
 }
 
 RowReader::RowReader(std::shared_ptr<table::Reader> table, const Convention& convention)
@@ -84,7 +101,7 @@ bool RowReader::next(Row& row) {
   state.decoder.decode(state.numbers, row);
   state.require_later(row);
   state.last_time = row.t;
-  state.last_number = state.numbers.front().value;
+  state.last_number = state.numbers.front();
   state.time_digits.add(state.numbers.front());
   for (const table::Number& rate : state.decoder.rates_in(state.numbers))
     state.rate_digits.add(rate);

@@ -22,7 +22,7 @@ using testing::StartsWith;
 using Names = std::vector<std::string>;
 
 table::Header header_of(Names names, Names units = {}) {
-  return {"run.csv", std::move(names), std::move(units)};
+  return {"run.csv", std::move(names), std::move(units), {}};
 }
 
 /// The columns of each reading, as the user would give them.
