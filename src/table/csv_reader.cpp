@@ -10,12 +10,14 @@
 #include "table/csv_header.h"
 #include "table/error.h"
 #include "table/number_text.h"
+#include "table/preamble.h"
 
 namespace twrench::table {
 
 CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
   header_.file = input_.name();
-  const Sample sample = read_sample(input_);
+  header_.preamble = find_preamble(input_);
+  const Sample sample = read_sample(input_, header_.preamble.size());
   if (sample.lines.empty())
     throw BadTable(header_.file, "it has no rows, only blank lines and comments");
   if (sample.lines.front().text.find('\r') != std::string::npos) {

@@ -107,9 +107,10 @@ std::string_view take_quoted(std::string_view line, std::size_t& at, bool& close
 
 /// Whether semicolons separate cells: the first line that no mark makes a comment has one, or all
 /// lines begin with one.
-bool has_semicolons_between_cells(const Input& input) {
+bool has_semicolons_between_cells(const Input& input, std::size_t skipped) {
   LineReader lines(input);
   for (std::string_view line; lines.next(line);) {
+    if (lines.number() <= skipped) continue;
     if (!is_blank_or_comment(line, true)) return line.find(';') != std::string_view::npos;
   }
   return true;
@@ -129,11 +130,12 @@ bool is_blank_or_comment(std::string_view line, bool semicolon_marks_comment) {
          (semicolon_marks_comment && text.front() == ';');
 }
 
-Sample read_sample(const Input& input) {
+Sample read_sample(const Input& input, std::size_t skipped) {
   Sample sample;
-  sample.semicolon_marks_comment = !has_semicolons_between_cells(input);
+  sample.semicolon_marks_comment = !has_semicolons_between_cells(input, skipped);
   LineReader lines(input);
   for (std::string_view line; sample.lines.size() < sample_lines && lines.next(line);) {
+    if (lines.number() <= skipped) continue;
     const std::string_view text = trimmed(line);
     if (!is_blank_or_comment(line, sample.semicolon_marks_comment)) {
       sample.lines.push_back({std::string(line), lines.number()});

@@ -36,8 +36,8 @@ struct Sample {
 /// `semicolon_marks_comment`, a semicolon.
 bool is_blank_or_comment(std::string_view line, bool semicolon_marks_comment);
 
-/// Reads the beginning of the file. Throws system::FileError.
-Sample read_sample(const Input& input);
+/// Reads the beginning of the file after the first `skipped` lines. Throws system::FileError.
+Sample read_sample(const Input& input, std::size_t skipped);
 
 /// Finds the dialect in which the most lines have as many cells as the first and, among equals, the
 /// largest share of cells are numbers. Throws system::FileError if numbers such as 1,234 can be

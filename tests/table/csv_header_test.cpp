@@ -85,5 +85,25 @@ TEST(CsvHeader, DoesNotTakeAnEmptyFirstCellForAComment) {
   EXPECT_THAT(read_table("t,w\n; a note\n0,1\n// another\n2,3\n").rows, SizeIs(2));
 }
 
+// As OpenSim, LabVIEW, spreadsheets and loggers write them.
+TEST(CsvHeader, MayFollowOtherLines) {
+  using Rows = std::vector<std::vector<double>>;
+  for (const char* before :
+       {"motion\nversion=1\nnRows=2\nnColumns=3\ninDegrees=no\nendheader\n",
+        "a, b\n***End_of_Header***\n\nChannels 3\n***End_of_Header***\n", "sep=,\n",
+        "Device:,A1\nRate:,50\n\n", "Exported by a logger\n# a comment\n"}) {
+    const std::string text = std::string(before) + "t,wx,wy\n0,1,2\n3,4,5\n6,7,8\n";
+    EXPECT_THAT(read_table(text).names, ElementsAre("t", "wx", "wy")) << before;
+    EXPECT_EQ(read_table(text).rows, (Rows{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}})) << before;
+  }
+}
+
+// A row that lacks a cell is an error, not a line before the table.
+TEST(CsvHeader, FollowsNoLinesThatMayBeRows) {
+  EXPECT_THAT(file_error_of("0,1\n0,1,2\n3,4,5\n6,7,8\n"), HasSubstr("cells"));
+  EXPECT_THAT(table_error_of("0,1\nt,wx,wy\n0,1,2\n3,4,5\n6,7,8\n"), HasSubstr("run:2: "));
+  EXPECT_THAT(file_error_of("t,wx\n0,1,2\n3,4,5\n6,7,8\n"), HasSubstr("run:2: the row has 3"));
+}
+
 }  // namespace
 }  // namespace twrench::table

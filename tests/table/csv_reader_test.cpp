@@ -167,5 +167,24 @@ TEST(CsvReader, CountsLinesForItsMessages) {
   EXPECT_EQ(reader->place(), "run.csv:6");
 }
 
+TEST(CsvReader, ReadsMixedLineEndsAndRefusesMarksWithin) {
+  EXPECT_EQ(read_table("t,w\r\n0,1\n2,3\r\n").rows,
+            (std::vector<std::vector<double>>{{0, 1}, {2, 3}}));
+  EXPECT_THAT(table_error_of("t,w\n0,1\n\xEF\xBB\xBF"
+                             "2,3\n"),
+              testing::HasSubstr("run:3: the column 't'"));
+  EXPECT_THAT(table_error_of("t,w\n0,1\r2\n4,5\n"), testing::HasSubstr("run:2"));
+}
+
+TEST(CsvReader, RefusesManyColumnsSoon) {
+  std::string names = "t", row = "0";
+  for (int i = 0; i < 100'000; ++i) {
+    names += ",a" + std::to_string(i);
+    row += ",1";
+  }
+  EXPECT_THAT(file_error_of(names + "\n" + row + "\n" + row + "\n"),
+              testing::HasSubstr("it has 100001 columns"));
+}
+
 }  // namespace
 }  // namespace twrench::table

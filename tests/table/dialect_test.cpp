@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 
 char separator_in(std::string_view text) {
-  return detect_dialect(read_sample(Input("run", text)), "run").separator;
+  return detect_dialect(read_sample(Input("run", text), 0), "run").separator;
 }
 
 TEST(Dialect, IsThatWhichMakesTheMostNumbers) {

@@ -67,10 +67,12 @@ void add_sequences(std::vector<Convention>& list) {
   }
 }
 
-/// The unit that the column with our name states.
+/// The unit that the column with our name states, or the lines before the names.
 StatedUnit stated_of(const table::Header& header, const Convention& convention,
                      const std::string& ours) {
-  return stated_unit(header, find_column(header, ours, convention.columns.at(ours)));
+  StatedUnit unit = stated_unit(header, find_column(header, ours, convention.columns.at(ours)));
+  if (!unit.rate) unit.rate = unit_in_preamble(header);
+  return unit;
 }
 
 Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }

@@ -287,17 +287,14 @@ Stated<Angle> angle_in(const StatedUnit& words) {
   return {angle, angle ? words.unread : name_of(*words.rate).option};
 }
 
-/// The unit of the times. Calendar times are in seconds, whatever the name of their column states.
-std::optional<TimeUnit> time_unit_of(const table::Header& header, const ColumnSet& set,
-                                     std::optional<TimeUnit> said) {
-  const std::size_t column = set.columns.front();
-  if (header.calendar_of(column) == table::Calendar::none) {
-    return unit_of_set(header, set, said, time_in);
-  }
-  if (!said || *said == TimeUnit::s) return TimeUnit::s;
+/// The unit of rates that the lines before the names state, or else the one that the user gave.
+std::optional<RateUnit> rate_unit_of_file(const table::Header& header,
+                                          std::optional<RateUnit> said) {
+  const std::optional<RateUnit> stated = unit_in_preamble(header);
+  if (!stated || !said || *stated == *said) return stated ? stated : said;
   throw table::BadTable(header.file,
-                        fmt::format("the column '{}' has calendar times, but {} is given",
-                                    header.names[column], name_of(*said).option),
+                        fmt::format("the lines before its names state {}, but {} is given",
+                                    name_of(*stated).option, name_of(*said).option),
                         "one of the two is wrong");
 }
 
@@ -306,11 +303,12 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   Convention convention = said;
   convention.columns.clear();
   add_columns(header, choice.time, convention);
-  convention.time_unit = time_unit_of(header, choice.time, said.time_unit);
+  convention.time_unit = unit_of_set(header, choice.time, said.time_unit, time_in);
+  const std::optional<RateUnit> rate_unit = rate_unit_of_file(header, said.rate_unit);
   if (choice.rates) {
     add_columns(header, *choice.rates, convention);
     if (choice.rates->kind == Kind::rates) {
-      convention.rate_unit = unit_of_set(header, *choice.rates, said.rate_unit, rate_in);
+      convention.rate_unit = unit_of_set(header, *choice.rates, rate_unit, rate_in);
     }
     convention.rates_in_space = said.rates_in_space || choice.rates->in_space;
   }
@@ -321,7 +319,7 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   if (convention.sequence.empty()) convention.sequence = header.sequence;
   if (has_angles(attitude_form(convention))) {
     std::optional<Angle> said_angle = said.angle_unit;
-    if (!said_angle && said.rate_unit) said_angle = angle_of(*said.rate_unit);
+    if (!said_angle && rate_unit) said_angle = angle_of(*rate_unit);
     convention.angle_unit = unit_of_set(header, *choice.attitude, said_angle, angle_in);
   }
   return convention;

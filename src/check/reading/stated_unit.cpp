@@ -192,8 +192,18 @@ StatedUnit stated_unit(const std::vector<std::string>& words) {
   return unit;
 }
 
+std::optional<RateUnit> unit_in_preamble(const table::Header& header) {
+  for (const std::string& line : header.preamble) {
+    const std::vector<std::string> words = words_of(line);
+    if (words == std::vector<std::string>{"in", "degrees", "yes"}) return RateUnit::deg_s;
+    if (words == std::vector<std::string>{"in", "degrees", "no"}) return RateUnit::rad_s;
+  }
+  return std::nullopt;
+}
+
 StatedUnit stated_unit(const table::Header& header, std::size_t column) {
   StatedUnit unit = stated_unit(words_of(header.names[column]));
+  if (header.calendar_of(column) != table::Calendar::none) unit.time = TimeUnit::s;
   if (column >= header.units.size()) return unit;
   // The cell contains only a unit; after the word "time", "min" and "h" count as well.
   std::vector<std::string> words = words_of(header.units[column]);

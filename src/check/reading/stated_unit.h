@@ -30,6 +30,10 @@ struct StatedUnit {
 StatedUnit stated_unit(const std::vector<std::string>& words);
 
 /// Does the same for a column; a unit in the row below the names takes precedence.
+/// Calendar times are in seconds.
 StatedUnit stated_unit(const table::Header& header, std::size_t column);
+
+/// The unit of rates and angles that a line before the names states: inDegrees=yes or no.
+std::optional<RateUnit> unit_in_preamble(const table::Header& header);
 
 }  // namespace twrench::check

@@ -22,7 +22,7 @@ using testing::StartsWith;
 using Names = std::vector<std::string>;
 
 table::Header header_of(Names names, Names units = {}) {
-  return {"run.csv", std::move(names), std::move(units), {}};
+  return {"run.csv", std::move(names), std::move(units), {}, {}};
 }
 
 /// The columns of each reading, as the user would give them.
@@ -237,6 +237,20 @@ TEST(Conventions, FindAttitudesAsDatasetsNameThem) {
       readings_of({"time", "field.orientation.x", "field.orientation.y", "field.orientation.z",
                    "field.orientation.w", "field.orientation_covariance0"}),
       SizeIs(1));
+}
+
+// As OpenSim writes it.
+TEST(Conventions, TakeTheUnitFromTheLinesBeforeTheNames) {
+  table::Header header = header_of({"time", "omega_x", "omega_y", "omega_z"});
+  header.preamble = {"motion", "version=1", "inDegrees=yes", "endheader"};
+  EXPECT_EQ(conventions(header, {}).front().rate_unit, RateUnit::deg_s);
+  header.preamble[2] = "inDegrees=no";
+  EXPECT_EQ(conventions(header, {}).front().rate_unit, RateUnit::rad_s);
+  Convention said;
+  said.rate_unit = RateUnit::deg_s;
+  EXPECT_THAT(refusal(header, said), HasSubstr("state rad, but deg is given"));
+  header.names = {"time", "omega_x (deg/s)", "omega_y (deg/s)", "omega_z (deg/s)"};
+  EXPECT_THAT(refusal(header, {}), HasSubstr("'omega_x (deg/s)' states deg, but rad is given"));
 }
 
 TEST(Conventions, RefuseUnitsOfOtherQuantities) {
