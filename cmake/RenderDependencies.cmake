@@ -36,6 +36,8 @@ twrench_pkgconfig(libisal "ISA-L"
   DEBIAN libisal-dev FEDORA isa-l-devel ARCH isa-l)
 twrench_pkgconfig(spng "libspng"
   DEBIAN libspng-dev FEDORA libspng-devel ARCH libspng)
+twrench_pkgconfig(libzip "libzip"
+  DEBIAN libzip-dev FEDORA libzip-devel ARCH libzip)
 twrench_pkgconfig(libebur128 "libebur128"
   DEBIAN libebur128-dev FEDORA libebur128-devel ARCH libebur128)
 twrench_pkgconfig(cairo-ft "Cairo with its FreeType fonts"

@@ -209,7 +209,7 @@ def check(
 ) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
-    :param data: a CSV, TSV, JSON or .npy file; a :class:`Motion`; or columns: a mapping of names to
+    :param data: a CSV, TSV, JSON, AEM, .npy or .npz file; a :class:`Motion`; or columns: a mapping of names to
         arrays (n,), such as ``{"t": t, "wx": wx, "wy": wy, "wz": wz}``, a data frame of pandas, or an
         array (n, k) whose columns ``columns`` names. The columns are times, and rates, attitudes or
         both. A list or tuple of such recordings gives a :class:`Checks`, with the order of the method.

@@ -47,6 +47,7 @@ render   | nlohmann-json                 | nlohmann-json3-dev
 render   | Boost's headers               | libboost-dev
 render   | ISA-L                         | libisal-dev
 render   | libspng                       | libspng-dev
+render   | libzip                        | libzip-dev
 render   | libebur128                    | libebur128-dev
 render   | meshoptimizer                 | libmeshoptimizer-dev
 render   | zlib                          | zlib1g-dev libz-dev
@@ -159,6 +160,7 @@ arm64    | toml++ for arm64              | libtomlplusplus-dev:arm64
 arm64    | fmt for arm64                 | libfmt-dev:arm64
 arm64    | ISA-L for arm64               | libisal-dev:arm64
 arm64    | libspng for arm64             | libspng-dev:arm64
+arm64    | libzip for arm64              | libzip-dev:arm64
 arm64    | libebur128 for arm64          | libebur128-dev:arm64
 arm64    | meshoptimizer for arm64       | libmeshoptimizer-dev:arm64
 arm64    | zlib for arm64                | zlib1g-dev:arm64 libz-dev:arm64

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "system/error.h"
@@ -195,42 +196,92 @@ NpyHeader place_columns(const RowLayout& layout, std::uint64_t rows, bool by_col
   return header;
 }
 
-}  // namespace
+/// The header of an array, as NumPy writes it.
+struct ArrayHeader {
+  std::vector<std::uint64_t> shape;
+  json type;
+  bool fortran_order;
+  std::uint64_t end;  ///< where the numbers begin
+};
 
-NpyHeader read_npy_header(const Input& input) {
+ArrayHeader read_array_header(const Input& input) {
   const HeaderText text = read_header_text(input);
   const json header = parse_literal(text.text);
   if (!header.is_object() || !header.contains("descr") || !header.contains("shape")) {
     throw unreadable_header(input);
   }
   const auto shape = read_shape(header["shape"]);
-  const json& type = header["descr"];
   if (!shape) throw unreadable_header(input);
-  const bool is_table = shape->size() == (type.is_array() ? 1 : 2);
+  const auto order = header.find("fortran_order");
+  return {*shape, header["descr"], order != header.end() && *order == json(true), text.end};
+}
+
+/// Throws unless the numbers take `size` bytes at most.
+void require_rows(const Input& input, const RowLayout& layout, std::uint64_t rows,
+                  std::uint64_t size) {
+  if (layout.row_bytes() == 0) throw bad_npy(input, "it has no columns");
+  if (rows <= size / layout.row_bytes()) return;
+  throw bad_npy(
+      input,
+      fmt::format("it is cut off: {} rows of {} bytes are due, but only {} bytes are there", rows,
+                  layout.row_bytes(), size),
+      "write it again");
+}
+
+/// Exchanges the positions of columns that are stored with the first index fastest, as they are
+/// named with the last one fastest.
+void transpose(std::vector<NpyColumn>& columns, std::span<const std::uint64_t> shape) {
+  const std::vector<NpyColumn> stored = columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::uint64_t rest = i, place = 0;
+    std::vector<std::uint64_t> indices(shape.size());
+    for (std::size_t k = shape.size(); k-- > 0; rest /= shape[k]) indices[k] = rest % shape[k];
+    for (std::size_t k = shape.size(); k-- > 0;) place = place * shape[k] + indices[k];
+    columns[i].begin = stored[static_cast<std::size_t>(place)].begin;
+  }
+}
+
+}  // namespace
+
+NpyHeader read_npy_header(const Input& input) {
+  const auto [shape, type, fortran_order, end] = read_array_header(input);
+  const bool is_table = shape.size() == (type.is_array() ? 1 : 2);
   if (!is_table) {
-    throw bad_npy(input, fmt::format("the NumPy array has {} dimensions", shape->size()),
+    throw bad_npy(input, fmt::format("the NumPy array has {} dimensions", shape.size()),
                   "rows and columns are wanted: two dimensions, or one of a structured array");
   }
   RowLayout layout(input);
   if (type.is_array()) {
     layout.add("", type, 0);
   } else {
-    const std::uint64_t count = (*shape)[1];
+    const std::uint64_t count = shape[1];
     if (count > max_columns) throw bad_npy(input, fmt::format("it has {} columns", count));
     for (std::uint64_t i = 1; i <= count; ++i) layout.add(fmt::format("#{}", i), type, 0);
   }
-  const std::uint64_t rows = shape->front();
-  if (layout.row_bytes() == 0) throw bad_npy(input, "it has no columns");
-  if (rows > (input.size() - text.end) / layout.row_bytes()) {
+  require_rows(input, layout, shape.front(), input.size() - end);
+  return place_columns(layout, shape.front(), fortran_order && !type.is_array(), end);
+}
+
+std::optional<NpyHeader> read_npy_member(const Input& start, std::uint64_t size,
+                                         const std::string& name) {
+  const auto [shape, type, fortran_order, end] = read_array_header(start);
+  const bool has_objects = type.dump().find('O') != std::string::npos;
+  if (shape.empty() || has_objects) return std::nullopt;
+  RowLayout layout(start);
+  const std::vector<std::uint64_t> rest(shape.begin() + 1, shape.end());
+  layout.add_array(name, type, json(rest), 0, 0);
+  if (size < end) throw unreadable_header(start);
+  require_rows(start, layout, shape.front(), size - end);
+  if (shape.front() * layout.row_bytes() != size - end) {
     throw bad_npy(
-        input,
-        fmt::format("it is cut off: {} rows of {} bytes are due, but only {} bytes are there", rows,
-                    layout.row_bytes(), input.size() - text.end),
-        "write it again");
+        start,
+        fmt::format("{} bytes follow the array", size - end - shape.front() * layout.row_bytes()),
+        "write it again with numpy.savez");
   }
-  const auto order = header.find("fortran_order");
-  const bool by_columns = !type.is_array() && order != header.end() && *order == json(true);
-  return place_columns(layout, rows, by_columns, text.end);
+  const bool by_columns = fortran_order && !type.is_array();
+  NpyHeader header = place_columns(layout, shape.front(), by_columns, end);
+  if (by_columns) transpose(header.columns, rest);
+  return header;
 }
 
 }  // namespace twrench::table

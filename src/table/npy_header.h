@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,12 @@ struct NpyHeader {
 /// column: "X[0][2]", "rates.x". Throws system::FileError for any other array, for one with Python
 /// objects, and if the file is shorter than the array.
 NpyHeader read_npy_header(const Input& input);
+
+/// Does the same for an array of any number of dimensions in an archive: `start` are the first
+/// bytes of its file, which has `size` bytes. The first dimension counts the rows; the columns are
+/// called "omega[0]" with the array's name. Nothing for arrays without dimensions or of Python
+/// objects, which are no table. Throws if the size is not that of the shape.
+std::optional<NpyHeader> read_npy_member(const Input& start, std::uint64_t size,
+                                         const std::string& name);
 
 }  // namespace twrench::table

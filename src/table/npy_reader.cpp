@@ -33,10 +33,8 @@ Number decode_number(const char* bytes) {
   return number;
 }
 
-using Decoder = Number (*)(const char*);
-
 template <typename T>
-void add_decoders(std::map<std::string, Decoder>& decoders, const std::string& type) {
+void add_decoders(std::map<std::string, NpyDecode>& decoders, const std::string& type) {
   decoders["<" + type] = decode_number<T, std::endian::little>;
   decoders[">" + type] = decode_number<T, std::endian::big>;
   decoders["=" + type] = decode_number<T, std::endian::native>;
@@ -44,9 +42,9 @@ void add_decoders(std::map<std::string, Decoder>& decoders, const std::string& t
 }
 
 /// The decoders by NumPy's names of the types.
-const std::map<std::string, Decoder>& all_decoders() {
-  static const std::map<std::string, Decoder> all = [] {
-    std::map<std::string, Decoder> decoders;
+const std::map<std::string, NpyDecode>& all_decoders() {
+  static const std::map<std::string, NpyDecode> all = [] {
+    std::map<std::string, NpyDecode> decoders;
     add_decoders<double>(decoders, "f8");
     add_decoders<float>(decoders, "f4");
     add_decoders<std::int8_t>(decoders, "i1");
@@ -64,6 +62,19 @@ const std::map<std::string, Decoder>& all_decoders() {
 
 }  // namespace
 
+NpyDecode npy_decoder(const std::string& file, const NpyColumn& column) {
+  const auto decoder = all_decoders().find(column.type);
+  if (decoder != all_decoders().end()) return decoder->second;
+  throw BadTable(file,
+                 fmt::format("the column '{}' is of NumPy's type '{}', which is not read",
+                             column.name, column.type),
+                 "save it as numbers: array.astype(float)");
+}
+
+std::size_t npy_size(const NpyColumn& column) {
+  return static_cast<std::size_t>(column.type.back() - '0');
+}
+
 NpyReader::NpyReader(Input input) : input_(std::move(input)), layout_(read_npy_header(input_)) {
   header_.file = input_.name();
   if (layout_.rows == 0) throw BadTable(header_.file, "it has no rows");
@@ -76,18 +87,12 @@ void NpyReader::begin_pass(std::span<const std::size_t> columns) {
   windows_.clear();
   for (const std::size_t index : columns) {
     const NpyColumn& column = layout_.columns[index];
-    const auto decoder = all_decoders().find(column.type);
-    if (decoder == all_decoders().end()) {
-      throw BadTable(header_.file,
-                     fmt::format("the column '{}' is of NumPy's type '{}', which is not read",
-                                 column.name, column.type),
-                     "save it as numbers: array.astype(float)");
-    }
-    const auto size = static_cast<std::size_t>(column.type.back() - '0');
+    const NpyDecode decode = npy_decoder(header_.file, column);
+    const std::size_t size = npy_size(column);
     // Stored row by row: one window. Stored column by column: one for each.
     const bool by_columns = column.step == size && layout_.columns.size() > 1;
     if (by_columns || windows_.empty()) windows_.emplace_back(input_);
-    selected_.push_back({column, size, decoder->second, windows_.size() - 1});
+    selected_.push_back({column, size, decode, windows_.size() - 1});
   }
 }
 

@@ -12,6 +12,15 @@
 
 namespace twrench::table {
 
+/// Reads a number of one of NumPy's types.
+using NpyDecode = Number (*)(const char* bytes);
+
+/// The function for the type of a column, "<f8". Throws BadTable if it is not read.
+NpyDecode npy_decoder(const std::string& file, const NpyColumn& column);
+
+/// The bytes of a number of the column.
+std::size_t npy_size(const NpyColumn& column);
+
 /// The rows of a NumPy array.
 class NpyReader : public Reader {
  public:
@@ -22,12 +31,10 @@ class NpyReader : public Reader {
   std::string place() const override;
 
  private:
-  using Decode = Number (*)(const char* bytes);
-
   struct Selected {
     NpyColumn column;
     std::size_t size;  ///< bytes of a number
-    Decode decode;
+    NpyDecode decode;
     std::size_t window;  ///< adjacent columns share one
   };
 

@@ -17,6 +17,7 @@
 #include "table/json_reader.h"
 #include "table/line_reader.h"
 #include "table/npy_reader.h"
+#include "table/npz_reader.h"
 #include "table/utf16.h"
 
 namespace twrench::table {
@@ -27,18 +28,17 @@ std::string remedy_for(std::string_view kind) {
   struct Remedy {
     std::string_view kind, text;
   };
-  constexpr std::array<Remedy, 6> remedies{{
+  constexpr std::array<Remedy, 5> remedies{{
       {"compressed by gzip", "unpack it first: gunzip -k FILE"},
       {"compressed by bzip2", "unpack it first: bunzip2 -k FILE"},
       {"compressed by xz", "unpack it first: unxz -k FILE"},
       {"compressed by zstd", "unpack it first: unzstd FILE"},
-      {"a ZIP archive",
-       "it may be .npz or .xlsx: unpack the .npy from it, or save the table as CSV"},
       {"text in UTF-16, not in UTF-8", "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"},
   }};
   const auto* const found = std::ranges::find(remedies, kind, &Remedy::kind);
-  return std::string(found != remedies.end() ? found->text
-                                             : "CSV, TSV, JSON, AEM and NumPy's .npy are read");
+  return std::string(found != remedies.end()
+                         ? found->text
+                         : "CSV, TSV, JSON, AEM and NumPy's .npy and .npz are read");
 }
 
 /// Whether the first line has a separator between printable characters. The bytes that identify
@@ -70,13 +70,14 @@ std::unique_ptr<Reader> open_format(Input input) {
   const std::string_view start(bytes.data(), input.read(0, bytes.data(), bytes.size()));
   if (has_utf16_mark(start)) return open_format(utf8_from_utf16(input));
   if (start.starts_with("\x93NUMPY")) return std::make_unique<NpyReader>(std::move(input));
+  if (start.starts_with("PK\x03\x04")) return std::make_unique<NpzReader>(std::move(input));
   const auto kind = system::recognized_file_kind(start);
   if (kind && !begins_like_table(start)) {
     throw system::FileError(input.name(), fmt::format("the file is {}", *kind), remedy_for(*kind));
   }
   if (start.find('\0') != std::string_view::npos) {
     throw system::FileError(input.name(), "the file is binary data, or text that is not UTF-8",
-                            "CSV, TSV, JSON, AEM and NumPy's .npy are read");
+                            "CSV, TSV, JSON, AEM and NumPy's .npy and .npz are read");
   }
   if (AemReader::recognizes(start)) return std::make_unique<AemReader>(std::move(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));

@@ -134,7 +134,7 @@ void add_check(CLI::App& app, ExitCode& code) {
   const auto options = std::make_shared<CheckOptions>(*command);
   command
       ->add_option("FILE", options->files,
-                   "CSV, TSV, JSON or .npy file of times and rates, attitudes or both")
+                   "CSV, TSV, JSON, AEM, .npy or .npz file of times and rates, attitudes or both")
       ->required()
       ->expected(1, 1000);
   options->setup.add_options(*command);

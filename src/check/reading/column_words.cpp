@@ -178,17 +178,23 @@ void add_quaternion(const Words& words, std::vector<Role>& roles) {
       {"1234", {{"1"}, {"2"}, {"3"}, {"4"}}}};
   if (words.size() < 2) return;
   const Words rest = without(words, words.size() - 1);
+  const List orders{"wxyz", "xyzw"};
   const List names{"q", "quat", "quaternion", "orientation", "orient", "attitude", "att"};
   const bool is_known = has_any(rest, names) && std::ranges::all_of(rest, [&](const auto& word) {
-                          return is_in(names, word) || is_in({"body", "rotation", "rot"}, word) ||
-                                 is_owner(word) || is_frame_pair(word);
+                          return is_in(names, word) || is_in(orders, word) ||
+                                 is_in({"body", "rotation", "rot"}, word) || is_owner(word) ||
+                                 is_frame_pair(word);
                         });
   if (!is_known) return;
   for (const Alphabet& alphabet : parts) {
     const auto component = component_of(alphabet, words.back());
     if (!component) continue;
-    roles.push_back({fmt::format("{}:{}", alphabet.name, fmt::join(rest, " ")), *component, false,
-                     alphabet.name != "wxyz"});
+    const bool is_ordered = has_any(rest, orders);
+    const bool is_numbered = alphabet.name != "wxyz";
+    const bool is_last = is_numbered && has_any(rest, {"xyzw"});
+    roles.push_back({fmt::format("{}:{}", alphabet.name, fmt::join(rest, " ")),
+                     is_last ? (*component + 1) % 4 : *component, false,
+                     is_numbered && !is_ordered});
   }
 }
 

@@ -163,6 +163,15 @@ TEST(RotationForms, NumbersOfAnySizeAreRotations) {
   EXPECT_TRUE(rotation_by_vector({1e-300, 0, 0}).isIdentity(1e-15));
 }
 
+TEST(RotationForms, OfQuaternionsMayStateTheirOrder) {
+  EXPECT_THAT(columns_by_name({"t", "quaternion_wxyz[0]", "quaternion_wxyz[1]",
+                               "quaternion_wxyz[2]", "quaternion_wxyz[3]"}),
+              ElementsAre("t=t,qw=quaternion_wxyz[0],qx=quaternion_wxyz[1],"
+                          "qy=quaternion_wxyz[2],qz=quaternion_wxyz[3]"));
+  EXPECT_THAT(columns_by_name({"t", "q_xyzw_1", "q_xyzw_2", "q_xyzw_3", "q_xyzw_4"}),
+              ElementsAre("t=t,qw=q_xyzw_4,qx=q_xyzw_1,qy=q_xyzw_2,qz=q_xyzw_3"));
+}
+
 TEST(RotationForms, AreNamedIfTheyAreNotRead) {
   const auto unread = [](std::vector<std::string> names) {
     const table::Header header{"run.csv", std::move(names), {}};
