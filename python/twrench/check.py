@@ -209,10 +209,11 @@ def check(
 ) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
-    :param data: a CSV, TSV, JSON, AEM, .npy or .npz file; a :class:`Motion`; or columns: a mapping of names to
-        arrays (n,), such as ``{"t": t, "wx": wx, "wy": wy, "wz": wz}``, a data frame of pandas, or an
-        array (n, k) whose columns ``columns`` names. The columns are times, and rates, attitudes or
-        both. A list or tuple of such recordings gives a :class:`Checks`, with the order of the method.
+    :param data: a CSV, TSV, JSON, AEM, .npy or .npz file; a :class:`Motion`; or columns: a mapping of
+        names to arrays (n,), (n, k) or (n, k, m), such as ``{"t": t, "omega": omega, "X": X}``, a data
+        frame of pandas, or an array (n, k) whose columns ``columns`` names. The columns are times, and
+        rates, attitudes or both. A list or tuple of such recordings gives a :class:`Checks`, with the
+        order of the method.
     :param body: the body, unless ``case`` gives it.
     :param steps: step sizes of the recordings in s, (m,); None for the mean times between rows.
     :param case: name of a published case, which gives the body and the initial rates.
@@ -406,11 +407,17 @@ def _columns_of_motion(name: str, motion: Motion) -> dict[str, Array]:
 
 
 def _columns_of_mapping(name: str, data: Mapping[Any, Any]) -> dict[str, Array]:
-    form = "a one-dimensional array of numbers"
-    return {
-        _arguments.text(name, key): _arguments.array(f"{name}[{key!r}]", value, (None,), form)
-        for key, value in data.items()
-    }
+    """Each number of a row is a column: ``omega[0]``, ``X[0][2]``."""
+    columns: dict[str, Array] = {}
+    for key, value in data.items():
+        label = _arguments.text(name, key)
+        shape = value.shape if isinstance(value, np.ndarray) else ()
+        wanted = (None,) * len(shape) if len(shape) in (2, 3) and shape[1] > 1 else (None,)
+        form = "a one-dimensional array of numbers, or one of vectors or matrices"
+        numbers = _arguments.array(f"{name}[{key!r}]", value, wanted, form)
+        for indices in np.ndindex(numbers.shape[1:]):
+            columns[label + "".join(f"[{i}]" for i in indices)] = numbers[(slice(None), *indices)]
+    return columns
 
 
 def _columns_of_array(name: str, data: Any, names: list[Any] | None) -> dict[str, Array]:

@@ -153,3 +153,21 @@ os.path.exists("/end")
     (calls,) = trace.read_text().split('"/begin"')[1:]
     opened = re.findall(r'(?:open|mkdir|mknod|rename)\w*\(.*?"(.*?)"', calls.split('"/end"')[0])
     assert set(opened) <= {"/sys/devices/system/cpu/online"}  # by std::thread
+
+
+def test_arrays_of_vectors_and_matrices_are_columns():
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(0.05 * np.arange(50))
+    arrays = {"time": motion.t, "omega": motion.omega, "X": motion.X}
+    found = twrench.check(arrays, BODY)
+    assert found.passes and found.attitude is not None
+    momentum = twrench.check({"t": motion.t, "L": motion.omega * [2, 3, 4]}, BODY)
+    assert momentum.passes
+
+
+def test_quaternions_in_integers_have_the_precision_of_these():
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(0.05 * np.arange(50))
+    integers = np.rint(32767 * motion.quaternion_wxyz).astype(np.int16)
+    found = twrench.check(
+        {"t": motion.t, "omega": motion.omega, "quaternion_wxyz": integers}, BODY
+    )
+    assert found.passes, found.verdict
