@@ -9,7 +9,7 @@
 #include "system/error.h"
 #include "system/file_kind.h"
 #include "table/aem_header.h"
-#include "table/calendar_time.h"
+#include "table/calendar.h"
 #include "table/error.h"
 #include "table/number_text.h"
 
@@ -166,7 +166,8 @@ bool AemReader::next(std::span<Number> numbers) {
           fmt::format("the row has {} values, but {} are due", cells_.size(), header_.names.size()),
           "correct the row, or the ATTITUDE_TYPE of the metadata");
     }
-    if (!read_calendar_time(cells_[0], epoch)) throw no_number(place(), "t", cells_[0]);
+    if (read_calendar(cells_[0], epoch) != Calendar::date_time)
+      throw no_number(place(), "t", cells_[0]);
     // A segment often begins with the last instant of the one before.
   } while (std::exchange(begins_segment_, false) && last_epoch_ == epoch.value + epoch.rest);
   last_epoch_ = epoch.value + epoch.rest;

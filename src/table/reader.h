@@ -23,8 +23,9 @@ struct Header {
   std::string sequence = {};                ///< of Euler angles, "zyx"; empty if not stated
   /// Of each column, from the first row; or empty if no column has calendar times. Their numbers
   /// are in s since 1970, or since midnight.
-  std::vector<Calendar> calendar;
-  std::vector<std::string> preamble;  ///< the lines before the names, without comments that follow
+  std::vector<Calendar> calendar = {};
+  std::vector<std::string> preamble =
+      {};  ///< the lines before the names, without comments that follow
 
   Calendar calendar_of(std::size_t column) const {
     return column < calendar.size() ? calendar[column] : Calendar::none;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "system/error.h"
-#include "table/calendar_time.h"
 #include "table/error.h"
 
 namespace twrench::table {
@@ -64,26 +63,6 @@ std::string refusal_of_message(const std::string& text) {
     return std::string(error.what()) + (bad ? " -- " + bad->remedy() : "");
   }
   return "no error";
-}
-
-TEST(CalendarTime, IsInSecondsSince1970) {
-  Number number;
-  ASSERT_TRUE(read_calendar_time("1970-01-02T00:00:01.250", number));
-  EXPECT_EQ(number.value, 86401.25);
-  EXPECT_EQ(number.decimals, 3);
-  ASSERT_TRUE(read_calendar_time("2026-063T10:11:05Z", number));
-  Number other;
-  ASSERT_TRUE(read_calendar_time("2026-03-04T10:11:05", other));
-  EXPECT_EQ(number.value, other.value);
-  EXPECT_EQ(number.value, 1772619065);
-  // A double has not all digits of this time, but its rest has.
-  ASSERT_TRUE(read_calendar_time("2026-03-04T10:11:05.123456789", number));
-  EXPECT_NE(number.rest, 0);
-  for (const char* text :
-       {"2026-02-29T00:00:00", "2026-366T00:00:00", "2026-03-04 10:11:05", "2026-03-04T24:00:00",
-        "2026-03-04T10:11:05.", "12.5", "", "2026-03-04T10:11:05x", "2026-03-04T10:11"}) {
-    EXPECT_FALSE(read_calendar_time(text, number)) << text;
-  }
 }
 
 TEST(Aem, HasQuaternionsInEitherOrder) {

@@ -69,14 +69,12 @@ std::string remedy_for_frames(const video::FramesError& error) {
 
 std::string remedy_for_check(check::CheckError::Reason reason) {
   switch (reason) {
-    case check::CheckError::Reason::no_rates:
-      return "give it with --omega X,Y,Z, or find it with --fit";
     case check::CheckError::Reason::one_row:
       return "judge a file of several rows, or give the initial state with --omega or --case";
     case check::CheckError::Reason::at_rest:
-      return "replace --fit by --omega 0,0,0 to judge whether it stays at rest";
+      return "give --omega 0,0,0 without --fit to judge whether it stays at rest";
     case check::CheckError::Reason::no_fit:
-      return "start the fit elsewhere with --omega X,Y,Z, or omit --fit";
+      return "start the fit elsewhere: --fit --omega X,Y,Z";
     case check::CheckError::Reason::stopped:
       break;
   }

@@ -46,6 +46,12 @@ struct ReadRecording {
   bool has_rates = check::has_rates(convention);
   bool has_attitude = attitude_form(convention) != AttitudeForm::none;
 
+  /// Whether the initial state is fitted: as asked, or because differences of attitudes alone have
+  /// too few digits to determine the initial rates.
+  bool needs_fit(const Problem& problem) const {
+    return problem.fit || (!has_rates && !problem.omega);
+  }
+
   RowReader reader() const { return recording.rows(convention); }
 };
 
@@ -54,11 +60,7 @@ Vector3d first_omega(const ReadRecording& read, const Problem& problem,
   if (problem.omega) return *problem.omega;
   if (read.has_rates) return rows.front().omega;
   // With a single row, fit() throws.
-  if (problem.fit && rows.size() == 1) return Vector3d::Zero();
-  if (problem.fit) return omega_between(problem.inertia, rows[0], rows[1]);
-  throw CheckError(read.recording.name(),
-                   "has only attitudes, which do not determine the initial angular velocity",
-                   CheckError::Reason::no_rates);
+  return rows.size() == 1 ? Vector3d::Zero() : omega_between(problem.inertia, rows[0], rows[1]);
 }
 
 /// The time at which omega holds, in s since the first row.
@@ -290,7 +292,7 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
 Judgement judge(const Recording& recording, const Convention& convention, const Problem& problem) {
   const ReadRecording read{recording, convention};
   std::optional<Fit> fit;
-  if (problem.fit) fit = fitted(read, problem);
+  if (read.needs_fit(problem)) fit = fitted(read, problem);
   Reference reference = fit ? fit->reference : given_reference(read, problem);
   if (problem.frame == FrameSource::momentum && read.has_attitude) {
     turn_to_momentum(reference, read, problem.stop);
@@ -313,7 +315,7 @@ Judgement judge(const Recording& recording, const Convention& convention, const 
                       .has_attitude = read.has_attitude,
                       .first_time = reader.first_time(),
                       .reference = reference,
-                      .is_start_given = problem.omega && !problem.fit,
+                      .is_start_given = problem.omega && !fit,
                       .fit = fit};
   take_sizes(judgement, comparison, reader.attitude());
   judgement.quaternion_length = reader.quaternion_length();

@@ -24,7 +24,8 @@ struct Problem {
   std::optional<Eigen::Vector3d> omega = {};
   /// On the file's clock, s. If absent, that of the first row.
   std::optional<double> omega_time = 0;
-  /// Whether the initial state is fitted to all rows by least squares.
+  /// Whether the initial state is fitted to all rows by least squares. It always is if there are
+  /// neither rates nor `omega`.
   bool fit = false;
   FrameSource frame = FrameSource::first;
   /// If it becomes true, the check ends with a CheckError. May be null.
