@@ -101,6 +101,17 @@ TEST(RotationForms, StandBesideRatesInFramesOfBasilisk) {
                           "mrpx=sigma_BN_1,mrpy=sigma_BN_2,mrpz=sigma_BN_3"));
 }
 
+TEST(RotationForms, StandBesideRatesInAxesOfSpace) {
+  const table::Header header{"run.csv",
+                             {"t", "sigma_BN_1", "sigma_BN_2", "sigma_BN_3", "omega_BN_N_1",
+                              "omega_BN_N_2", "omega_BN_N_3"},
+                             {}};
+  const auto all = conventions(header, {});
+  ASSERT_THAT(all, SizeIs(1));
+  EXPECT_EQ(all.front().columns.at("wx"), "omega_BN_N_1");
+  EXPECT_TRUE(all.front().rates_in_space);
+}
+
 // r may be a position, a an acceleration, and sigma a stress.
 TEST(RotationForms, NamesWithOtherMeaningsGiveWayToAnAttitude) {
   const char* const quaternion = "t=t,qw=qw,qx=qx,qy=qy,qz=qz";
