@@ -55,7 +55,10 @@ void CsvReader::find_calendar_times(std::string_view first_row) {
 void CsvReader::begin_pass(std::span<const std::size_t> columns) {
   lines_ = LineReader(input_);
   selected_.clear();
-  for (std::size_t i = 0; i < columns.size(); ++i) selected_.push_back({columns[i], i});
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool has_calendar_times = header_.calendar_of(columns[i]) != Calendar::none;
+    selected_.push_back({columns[i], i, has_calendar_times});
+  }
   std::ranges::sort(selected_, {}, &Selected::column);
 }
 
@@ -106,7 +109,7 @@ void CsvReader::read_blanks_or_quotes(std::string_view line, std::span<Number> n
 
 void CsvReader::read_cell(std::string_view cell, const Selected& selected,
                           std::span<Number> numbers) const {
-  if (header_.calendar_of(selected.column) != Calendar::none) {
+  if (selected.has_calendar_times) {
     read_calendar_time(trimmed(cell), selected, numbers);
     return;
   }

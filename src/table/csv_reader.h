@@ -26,6 +26,7 @@ class CsvReader : public Reader {
  private:
   struct Selected {
     std::size_t column, place;  ///< index in the file, and among the numbers of next()
+    bool has_calendar_times;
   };
 
   void read_header(const Sample& sample);

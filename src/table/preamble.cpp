@@ -71,14 +71,11 @@ std::vector<std::string> find_preamble(const Input& input) {
     lines.erase(last_end.base(), lines.end());
     return lines;
   }
-  if (!lines.empty() && lines[0].starts_with("sep=")) {
-    lines.resize(1);
-    return lines;
-  }
-  const Sample sample = read_sample(input, 0);
-  std::size_t count = 0;
+  const std::size_t skipped = !lines.empty() && lines[0].starts_with("sep=") ? 1 : 0;
+  const Sample sample = read_sample(input, skipped);
+  std::size_t count = skipped;
   for (const char separator : separators) {
-    if (sample.lines.empty() || count > 0) break;
+    if (sample.lines.empty() || count > skipped) break;
     const std::size_t names = line_of_names(sample.lines, separator);
     if (names > 0) count = sample.lines[names].number - 1;
   }

@@ -91,7 +91,7 @@ TEST(CsvHeader, MayFollowOtherLines) {
   for (const char* before :
        {"motion\nversion=1\nnRows=2\nnColumns=3\ninDegrees=no\nendheader\n",
         "a, b\n***End_of_Header***\n\nChannels 3\n***End_of_Header***\n", "sep=,\n",
-        "Device:,A1\nRate:,50\n\n", "Exported by a logger\n# a comment\n"}) {
+        "sep=,\nDevice:,A1\n", "Device:,A1\nRate:,50\n\n", "Exported by a logger\n# a comment\n"}) {
     const std::string text = std::string(before) + "t,wx,wy\n0,1,2\n3,4,5\n6,7,8\n";
     EXPECT_THAT(read_table(text).names, ElementsAre("t", "wx", "wy")) << before;
     EXPECT_EQ(read_table(text).rows, (Rows{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}})) << before;

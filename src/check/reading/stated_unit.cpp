@@ -53,6 +53,12 @@ bool is_boundary(char before, char c) {
 /// Adds a word, or its two parts if it is a prefix and an axis.
 void add_word(std::vector<std::string>& words, std::string word) {
   if (word.empty()) return;
+  for (const char* axis : {"roll", "pitch", "yaw"}) {
+    if (word != std::string(axis) + "speed" && word != std::string(axis) + "rate") continue;
+    words.emplace_back(axis);
+    words.emplace_back("rate");
+    return;
+  }
   const std::string stem = word.substr(0, word.size() - 1);
   const bool has_axis = std::string_view("wxyz").find(word.back()) != std::string_view::npos;
   if (has_axis && std::ranges::find(prefixes, stem) != prefixes.end()) {
