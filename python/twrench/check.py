@@ -218,7 +218,7 @@ def check(
     :param steps: step sizes of the recordings in s, (m,); None for the mean times between rows.
     :param case: name of a published case, which gives the body and the initial rates.
     :param omega: angular velocity at ``omega_at`` in body axes in rad/s, (3,); None for that of the
-        first row.
+        first row, or for a fit if the data have no rates.
     :param omega_at: the time in s at which ``omega`` holds, or "first" for that of the first row.
     :param fit: fit the initial state to all rows by least squares.
     :param frame: how to determine the space frame of the data: from the first row, or from the mean
@@ -415,8 +415,10 @@ def _columns_of_mapping(name: str, data: Mapping[Any, Any]) -> dict[str, Array]:
         wanted = (None,) * len(shape) if len(shape) in (2, 3) and shape[1] > 1 else (None,)
         form = "a one-dimensional array of numbers, or one of vectors or matrices"
         numbers = _arguments.array(f"{name}[{key!r}]", value, wanted, form)
-        for indices in np.ndindex(numbers.shape[1:]):
-            columns[label + "".join(f"[{i}]" for i in indices)] = numbers[(slice(None), *indices)]
+        each_row = list(np.ndindex(numbers.shape[1:]))
+        flat = numbers.reshape(len(numbers), len(each_row))
+        for column, indices in enumerate(each_row):
+            columns[label + "".join(f"[{i}]" for i in indices)] = flat[:, column]
     return columns
 
 

@@ -58,7 +58,7 @@ void CheckSetup::add_options(CLI::App& command) {
       ->group(heading(OptionGroup::body));
   command.add_option("--omega", omega_, "angular velocity at t = 0, body axes, rad/s")
       ->type_name("X,Y,Z")
-      ->default_str("the first row's, at its time")
+      ->default_str("the first row's, at its time; fitted to a file without rates")
       ->group(heading(OptionGroup::motion));
   command
       .add_option("--omega-at", omega_at_,
@@ -80,8 +80,10 @@ void CheckSetup::add_options(CLI::App& command) {
       ->capture_default_str()
       ->group(heading(OptionGroup::data));
   command
-      .add_option("--columns", texts_.columns,
-                  "the file's columns for t, wx wy wz, x11 to x33, qw qx qy qz, yaw pitch roll")
+      .add_option(
+          "--columns", texts_.columns,
+          "the file's columns for t, wx wy wz, lx ly lz, x11 to x33, qw qx qy qz, yaw pitch roll, "
+          "rvx rvy rvz, axisx axisy axisz angle, mrpx mrpy mrpz, gibbsx gibbsy gibbsz")
       ->type_name("t=NAME,wx=NAME,...")
       ->default_str("by their names")
       ->group(heading(OptionGroup::data));

@@ -421,6 +421,7 @@ void add_time(const Words& all_words, std::vector<Role>& roles) {
 
 std::vector<Role> roles_of(const std::vector<std::string>& words, Kind kind) {
   std::vector<Role> roles;
+  if (words.empty()) return roles;
   switch (kind) {
     case Kind::time:
       add_time(words, roles);

@@ -273,15 +273,18 @@ Stated<TimeUnit> time_in(const StatedUnit& words) {
   return {words.time, words.unread};
 }
 
+/// Whether a quantity is said to be in a unit of times; a column may just be called "s".
+bool is_in_time_unit(const StatedUnit& words) {
+  return !words.other_words.empty() && words.unread.empty() && !words.rate && words.ends_with_time;
+}
+
 Stated<RateUnit> rate_in(const StatedUnit& words) {
-  const bool is_time = words.unread.empty() && !words.rate && words.ends_with_time;
-  if (is_time) return {{}, name_of(*words.time).option};
+  if (is_in_time_unit(words)) return {{}, name_of(*words.time).option};
   return {words.rate, words.unread};
 }
 
 Stated<Angle> angle_in(const StatedUnit& words) {
-  const bool is_time = words.unread.empty() && !words.rate && words.ends_with_time;
-  if (is_time) return {{}, name_of(*words.time).option};
+  if (is_in_time_unit(words)) return {{}, name_of(*words.time).option};
   if (!words.rate) return {{}, words.unread};
   const auto angle = angle_of(*words.rate);
   return {angle, angle ? words.unread : name_of(*words.rate).option};

@@ -134,11 +134,12 @@ std::vector<TimeUnit> units_of(const std::string& name, const Times& times) {
   constexpr double year_2001 = 1e9, year_2100 = 4.1e9;  // s since 1970
   constexpr double longest_in_s = 100, longest = 2, shortest = 5e-5;
   const double clock = std::abs(times.numbers.front().value);
+  if (means_seconds(name) && clock < year_2100) return {};
   const bool are_whole = std::ranges::all_of(times.numbers, [](const table::Number& number) {
     return number.value == std::floor(number.value);
   });
   const bool may_be_seconds = clock < year_2100 && (!are_whole || interval <= longest_in_s);
-  if (may_be_seconds && (means_seconds(name) || !are_whole || interval < 1)) return {};
+  if (may_be_seconds && (!are_whole || interval < 1)) return {};
   std::vector<TimeUnit> possible, since_1970;
   for (const TimeUnit unit : {TimeUnit::s, TimeUnit::ms, TimeUnit::us, TimeUnit::ns}) {
     const double size = name_of(unit).in_s;

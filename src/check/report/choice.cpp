@@ -101,6 +101,16 @@ bool is_usual_order(const table::Header& header, const std::vector<Convention>& 
          without_quaternion(open[0]) == without_quaternion(open[1]);
 }
 
+/// The convention with times in s, if only the unit of times is open.
+std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
+  const bool is_unit_alone = std::ranges::all_of(open, [&](Convention convention) {
+    convention.time_unit = open.front().time_unit;
+    return option_text(open.front(), convention).empty();
+  });
+  if (!is_unit_alone || time_unit(open.front()) != TimeUnit::s) return std::nullopt;
+  return open.front();
+}
+
 InvalidArgument ambiguous(const table::Header& header, const Convention& said,
                           const std::vector<Convention>& open,
                           const std::optional<Reading>& fitting) {
@@ -155,6 +165,7 @@ Convention choose_convention(const Recording& recording, const Convention& given
   std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));
   if (fitting && is_usual_order(header, open, fitting->convention)) return fitting->convention;
   if (!fitting) fitting = unexpected(recording, problem, open);
+  if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;
   throw ambiguous(header, given, open, fitting);
 }
 

@@ -14,7 +14,8 @@ std::string option_text(const Convention& before, const Convention& after) {
   if (after.columns != before.columns) {
     options.push_back("--columns '" + format_columns(after.columns) + "'");
   }
-  if (time_unit(after) != time_unit(before)) {
+  const bool is_stated = after.time_unit && !before.time_unit;
+  if (is_stated || time_unit(after) != time_unit(before)) {
     options.push_back(std::string("--time-unit ") + name_of(time_unit(after)).option);
   }
   if (rate_unit(after) != rate_unit(before)) {

@@ -195,6 +195,7 @@ TEST(RotationForms, AreNamedIfTheyAreNotRead) {
   EXPECT_THAT(unread({"t", "wx", "wy", "wz", "ax", "ay", "az", "mag_x", "mag_y", "mag_z", "x"}),
               IsEmpty());
   EXPECT_THAT(unread({"t", "qw", "qx", "qy", "qz", "s1", "s2", "s3"}), IsEmpty());
+  EXPECT_THAT(unread({"t", "wx", "wy", "wz", "-", "(%)"}), IsEmpty());  // no word at all
 }
 
 TEST(EulerAngles, AreFoundByAxesAndWithUnits) {
