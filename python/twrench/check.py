@@ -411,7 +411,7 @@ def _columns_of_mapping(name: str, data: Mapping[Any, Any]) -> dict[str, Array]:
     columns: dict[str, Array] = {}
     for key, value in data.items():
         label = _arguments.text(name, key)
-        shape = value.shape if isinstance(value, np.ndarray) else ()
+        shape: tuple[int, ...] = value.shape if isinstance(value, np.ndarray) else ()
         wanted = (None,) * len(shape) if len(shape) in (2, 3) and shape[1] > 1 else (None,)
         form = "a one-dimensional array of numbers, or one of vectors or matrices"
         numbers = _arguments.array(f"{name}[{key!r}]", value, wanted, form)

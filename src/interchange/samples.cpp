@@ -191,14 +191,19 @@ RegularTimes::RegularTimes(const scene::Scene& scene)
 }
 
 std::string write_trajectory(const Write& write, const scene::Scene& scene,
-                             const std::string& format, const std::vector<double>& times) {
+                             const std::string& format, const std::vector<double>& times,
+                             const Progress& progress) {
   const motion::Method& method = motion::find_method(scene.motion.method);
   const motion::FreeBody body = scene::free_body(scene);
   RowWriter rows(write, format == "csv" ? csv_format(body) : json_format(scene, body), body);
   if (times.empty()) {
     const RegularTimes regular(scene);
+    std::size_t done = 0;
     motion::visit_samples(body, method, scene.motion.control, regular.size(), regular,
-                          [&](const motion::Sample& sample) { rows.add(sample); });
+                          [&](const motion::Sample& sample) {
+                            rows.add(sample);
+                            if (progress && !method.exact()) progress(++done, regular.size());
+                          });
   } else {
     for (const motion::Sample& sample :
          motion::integrate(body, method, scene.motion.control, times).samples) {

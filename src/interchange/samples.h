@@ -32,11 +32,16 @@ class RegularTimes {
 /// Receives text, piece by piece.
 using Write = std::function<void(std::string_view)>;
 
+/// Receives how many samples of how many are computed.
+using Progress = std::function<void(std::size_t done, std::size_t total)>;
+
 /// Writes the scene's motion, computed by its own method, as "csv" or "json" at those times, or at
-/// RegularTimes if there are none. Returns a note on a visible error at the latest time, which JSON
-/// has as its "note"; usually empty. Throws as integrate(), RegularTimes and `write` do.
+/// RegularTimes if there are none. Calls `progress`, unless it is empty, after each sample of a
+/// method that takes steps to regular times. Returns a note on a visible error at the latest time,
+/// which JSON has as its "note"; usually empty. Throws as integrate(), RegularTimes and `write` do.
 std::string write_trajectory(const Write& write, const scene::Scene& scene,
-                             const std::string& format, const std::vector<double>& times);
+                             const std::string& format, const std::vector<double>& times,
+                             const Progress& progress = {});
 
 /// Writes samples of the body's motion in that CSV format. Throws what `write` throws.
 void write_csv(const Write& write, const motion::FreeBody& body,

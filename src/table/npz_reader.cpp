@@ -57,8 +57,24 @@ void NpzReader::read_arrays() {
   const bool all_differ =
       std::ranges::all_of(arrays_of_length, [](const auto& one) { return one.second == 1; });
   if (all_differ && !arrays_of_length.empty()) row_count_ = arrays_of_length.rbegin()->first;
+  require_no_cut_array();
   std::erase_if(arrays_, [&](const Array& array) { return array.layout.rows != row_count_; });
   if (row_count_ == 0) throw BadTable(header_.file, "it has no rows");
+}
+
+/// An array with about as many rows as the times is rather a mistake than a parameter.
+void NpzReader::require_no_cut_array() const {
+  constexpr std::uint64_t most_parameters = 16;
+  for (const Array& array : arrays_) {
+    const std::uint64_t rows = array.layout.rows;
+    if (rows <= most_parameters || rows == row_count_ || 2 * rows <= row_count_ ||
+        rows >= 2 * row_count_)
+      continue;
+    throw BadTable(header_.file,
+                   fmt::format("its array {} has {} rows, but others have {}",
+                               array_name(array.member), rows, row_count_),
+                   "write arrays with a row for each time, and leave others out");
+  }
 }
 
 void NpzReader::name_columns() {

@@ -50,6 +50,7 @@ class NpzReader : public Reader {
   };
 
   void read_arrays();
+  void require_no_cut_array() const;
   void name_columns();
   std::size_t open_rows(std::size_t array, std::uint64_t begin, std::size_t row_bytes);
   void advance(Rows& rows) const;

@@ -181,6 +181,12 @@ TEST(Npz, RefusesEncryptedArrays) {
               HasSubstr("a.npz: time.npy: it is encrypted"));
 }
 
+TEST(Npz, RefusesArraysOfNearlyEqualLengths) {
+  EXPECT_THAT(refusal_of_archive(archive_of(
+                  {{"t.npy", array_file("200,", 200)}, {"w.npy", array_file("199, 3", 597)}})),
+              HasSubstr("its array w has 199 rows, but others have 200"));
+}
+
 TEST(Npz, RefusesOtherArchives) {
   EXPECT_THAT(refusal_of_archive(archive_of({{"xl/workbook.xml", "<workbook/>"}})),
               HasSubstr("a ZIP archive without NumPy's arrays"));

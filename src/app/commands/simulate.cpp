@@ -1,3 +1,5 @@
+#include <twrench/motion/exact.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -33,6 +35,12 @@ std::vector<double> times_asked_for(const SimulateOptions& options) {
   return times;
 }
 
+/// For a method that takes long, where the closed form takes no steps.
+std::string advice_on(const scene::Scene& scene) {
+  const bool has_closed_form = motion::ExactMotion::covers(scene::free_body(scene));
+  return has_closed_form ? "; --method exact takes no steps" : "";
+}
+
 void simulate(const SimulateOptions& options) {
   system::FileList files = options.output.files();
   options.scene.add_inputs(files);
@@ -41,9 +49,9 @@ void simulate(const SimulateOptions& options) {
   const std::vector<double> times =
       options.times.empty() ? std::vector<double>() : times_asked_for(options);
   system::Output output(file);
-  const std::string note =
-      interchange::write_trajectory([&](std::string_view text) { output.write(text); }, scene,
-                                    std::string(file.format().name), times);
+  const std::string note = interchange::write_trajectory(
+      [&](std::string_view text) { output.write(text); }, scene, std::string(file.format().name),
+      times, progress_lines("simulate", advice_on(scene)));
   output.finish();
   if (!note.empty()) warn(note);
 }

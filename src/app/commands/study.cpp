@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -131,17 +130,6 @@ std::string report(std::string_view format, const study::Study& study, const std
   return format == "json" ? study_json(study, scene) : study_text(study, text::escape(scene));
 }
 
-/// Prints a line every two seconds.
-std::function<void(std::size_t, std::size_t)> progress_of_study() {
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::seconds pause(2);
-  return [next = Clock::now() + pause](std::size_t done, std::size_t total) mutable {
-    if (Clock::now() < next) return;
-    next = Clock::now() + pause;
-    say("twrench: study: {} % is done\n", 100 * done / total);
-  };
-}
-
 ExitCode run_study(const StudyOptions& options) {
   system::FileList files = options.output.files();
   options.scene.add_inputs(files);
@@ -153,7 +141,7 @@ ExitCode run_study(const StudyOptions& options) {
   if (plot_file && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("--plot", "the exact method alone has no steps to plot");
   }
-  plan.progress = progress_of_study();
+  plan.progress = progress_lines("study");
   const motion::FreeBody body = scene::free_body(scene);
   const study::Study result = study::run_study(body, plan);
   system::Output output(file);  // write both it and the plot, or neither

@@ -1,5 +1,6 @@
 #include "app/terminal/message.h"
 
+#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,17 @@ namespace twrench::app {
 
 void write_message(const std::string& text) {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
+
+std::function<void(std::size_t, std::size_t)> progress_lines(const std::string& command,
+                                                             const std::string& advice) {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds pause(2);
+  return [=, next = Clock::now() + pause](std::size_t done, std::size_t total) mutable {
+    if (Clock::now() < next) return;
+    next = Clock::now() + pause;
+    say("twrench: {}: {} % is done{}\n", command, 100 * done / total, advice);
+  };
 }
 
 void warn(const std::string& text, bool as_json) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -37,6 +39,12 @@ template <typename... T>
 void say(fmt::format_string<T...> format, const T&... values) {
   write_message(format_message<T...>(format, values...));
 }
+
+/// Returns a function that is called with the work that is done and all of it, and that writes a
+/// line every two seconds, for work that takes longer: "twrench: study: 40 % is done", followed by
+/// the advice.
+std::function<void(std::size_t done, std::size_t total)> progress_lines(
+    const std::string& command, const std::string& advice = "");
 
 /// Writes a warning: plain text, or with `as_json` a JSON object on one line.
 void warn(const std::string& text, bool as_json = false);

@@ -146,14 +146,15 @@ MatrixXd covariance_of(const Residuals& residuals) {
   return left.squaredNorm() / static_cast<double>(freedom) * inverse_of_squares(jacobian);
 }
 
-Fit result(const Reference& reference, std::span<const Row> rows, const Weights& weights) {
+Fit result(const std::string& name, const Reference& reference, std::span<const Row> rows,
+           const Weights& weights) {
   const Residuals residuals(reference, rows, weights);
   const MatrixXd covariance = covariance_of(residuals);
   const RootMeanSquares left = root_mean_squares(residuals_of(residuals), weights);
   const double speed = reference.body.omega().norm();
   if (!covariance.allFinite() || !std::isfinite(left.rates + left.attitude) ||
       !std::isfinite(speed)) {
-    throw CheckError("fit", "the rows do not determine a state", CheckError::Reason::no_fit);
+    throw CheckError(name, "its rows do not determine a state", CheckError::Reason::no_fit);
   }
   Fit fit{reference, {}, speed * speed * covariance.topLeftCorner<3, 3>(), {}, {}, {}, rows.size()};
   fit.omega_deviation = fit.omega_covariance.diagonal().cwiseSqrt();
@@ -167,15 +168,17 @@ Fit result(const Reference& reference, std::span<const Row> rows, const Weights&
 
 }  // namespace
 
-Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omega, bool has_rates,
-        bool has_attitude, const std::atomic<bool>* stop) {
+Fit fit(const std::string& name, const Matrix3d& inertia, std::span<const Row> rows,
+        const Vector3d& omega, bool has_rates, bool has_attitude, const std::atomic<bool>* stop) {
   if (rows.size() < 2) {
-    throw CheckError("fit", "there is only one row, but a fit needs at least two",
+    throw CheckError(name, "has only one row, but a fit needs at least two",
                      CheckError::Reason::one_row);
   }
   const double speed = omega.norm();
   Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
-  if (speed == 0) throw CheckError("fit", "the body is at rest", CheckError::Reason::at_rest);
+  if (speed == 0)
+    throw CheckError(name, "the body is at rest in it, so no motion can be fitted",
+                     CheckError::Reason::at_rest);
   Weights weights{has_rates ? 1 / speed : 0, has_attitude ? 1.0 : 0};
   for (std::size_t count = 16; count < rows.size(); count *= 2) {
     reference = improved(reference, rows.first(count), weights, stop);
@@ -185,7 +188,7 @@ Fit fit(const Matrix3d& inertia, std::span<const Row> rows, const Vector3d& omeg
   const RootMeanSquares left =
       root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
   weights = reweighted(weights, left, speed);
-  return result(improved(reference, rows, weights, stop), rows, weights);
+  return result(name, improved(reference, rows, weights, stop), rows, weights);
 }
 
 Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& second) {

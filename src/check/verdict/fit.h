@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "check/reading/row.h"
 #include "check/verdict/problem.h"
@@ -28,9 +29,11 @@ inline constexpr std::size_t most_fitted_rows = 65536;
 /// in units of |omega| and to the attitudes in rad. Starts from `omega` (body axes, rad/s, at the
 /// first row) and the first rows, and adds more and more rows, so that it does not converge to a
 /// phase that is off by whole turns. Throws CheckError if there are fewer than two rows, `omega`
-/// is zero or the rows do not determine the state, or if `stop`, which may be null, becomes true.
-Fit fit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, const Eigen::Vector3d& omega,
-        bool has_rates, bool has_attitude, const std::atomic<bool>* stop = nullptr);
+/// is zero or the rows do not determine the state, or if `stop`, which may be null, becomes true;
+/// its message begins with `name`, that of the recording.
+Fit fit(const std::string& name, const Eigen::Matrix3d& inertia, std::span<const Row> rows,
+        const Eigen::Vector3d& omega, bool has_rates, bool has_attitude,
+        const std::atomic<bool>* stop = nullptr);
 
 /// Returns the angular velocity at the first row (body axes, rad/s) with which the exact motion
 /// takes the X of the first row to that of the second, by less than half a turn.

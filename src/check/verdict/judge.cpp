@@ -83,8 +83,8 @@ Fit fitted(const ReadRecording& read, const Problem& problem) {
   if (problem.omega) {
     omega = motion::ExactMotion({problem.inertia, omega}).at(-start_of(read, problem)).omega;
   }
-  return fit(problem.inertia, thinned.rows(), omega, read.has_rates, read.has_attitude,
-             problem.stop);
+  return fit(read.recording.name(), problem.inertia, thinned.rows(), omega, read.has_rates,
+             read.has_attitude, problem.stop);
 }
 
 /// The given initial state, with the frame of the first row.

@@ -30,7 +30,7 @@ std::vector<Row> noisy(double of_rates, double of_attitude, unsigned seed = 1) {
 
 TEST(Fit, FindsTheStateAndHowWellItIsKnown) {
   const std::vector<Row> rows = noisy(1e-4, 0);
-  const Fit found = fit(inertia, rows, rows[0].omega, true, false);
+  const Fit found = fit("run.csv", inertia, rows, rows[0].omega, true, false);
   EXPECT_NEAR(*found.rate_residual, 1e-4, 3e-6);
   EXPECT_FALSE(found.attitude_residual);
   for (int i = 0; i < 3; ++i) {
@@ -47,7 +47,7 @@ TEST(Fit, TellsTheCovarianceThatErrorsHave) {
   constexpr unsigned files = 20;
   for (unsigned seed = 0; seed < files; ++seed) {
     const std::vector<Row> rows = noisy(1e-4, 1e-3, seed);
-    const Fit found = fit(inertia, rows, rows[0].omega, true, true);
+    const Fit found = fit("run.csv", inertia, rows, rows[0].omega, true, true);
     const Vector3d error = found.reference.body.omega() - omega;
     squares += error.dot(found.omega_covariance.inverse() * error);
   }
@@ -56,7 +56,8 @@ TEST(Fit, TellsTheCovarianceThatErrorsHave) {
 
 TEST(Fit, FindsItsWayFromAFarStart) {
   const std::vector<Row> rows = noisy(1e-6, 1e-6);
-  const Fit found = fit(inertia, rows, rows[0].omega + Vector3d(0.05, -0.05, 0.05), true, true);
+  const Fit found =
+      fit("run.csv", inertia, rows, rows[0].omega + Vector3d(0.05, -0.05, 0.05), true, true);
   EXPECT_LT((found.reference.body.omega() - omega).norm(), 1e-6);
   EXPECT_NEAR(*found.attitude_residual, 1e-6, 1e-7);
   EXPECT_LT(found.frame_deviation->norm(), 1e-6);
@@ -65,19 +66,19 @@ TEST(Fit, FindsItsWayFromAFarStart) {
 TEST(Fit, TakesAttitudesAlone) {
   const std::vector<Row> rows = noisy(0, 1e-5);
   const Vector3d first = omega_between(inertia, rows[0], rows[1]);
-  const Fit found = fit(inertia, rows, first, false, true);
+  const Fit found = fit("run.csv", inertia, rows, first, false, true);
   EXPECT_LT((found.reference.body.omega() - omega).norm(), 3e-6);
 }
 
 TEST(Fit, NeedsTwoRowsAndABodyThatTurns) {
   const std::vector<Row> rows = exact_rows(1);
-  EXPECT_THROW(fit(inertia, rows, omega, true, true), CheckError);
-  EXPECT_THROW(fit(inertia, exact_rows(5), Vector3d::Zero(), true, true), CheckError);
+  EXPECT_THROW(fit("run.csv", inertia, rows, omega, true, true), CheckError);
+  EXPECT_THROW(fit("run.csv", inertia, exact_rows(5), Vector3d::Zero(), true, true), CheckError);
 }
 
 TEST(Fit, EndsIfItIsStopped) {
   const std::atomic<bool> stop = true;
-  EXPECT_THROW(fit(inertia, exact_rows(), omega, true, true, &stop), CheckError);
+  EXPECT_THROW(fit("run.csv", inertia, exact_rows(), omega, true, true, &stop), CheckError);
 }
 
 TEST(OmegaBetween, IsExactOverLongSteps) {
