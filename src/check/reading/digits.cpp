@@ -177,7 +177,8 @@ Resolution TimeDigits::resolution(double unit) const {
   const bool is_exact = (count_ > 2 && equally_spaced_) || (count_ <= few && are_round_);
   Resolution resolution;
   resolution.unit = unit;
-  if (!is_exact && are_exact_ && are_long_) {
+  const bool has_difference = decimals_ > std::numeric_limits<int>::min();
+  if (!is_exact && are_exact_ && are_long_ && has_difference) {
     resolution.written = NumberFormat::decimals;
     resolution.count = std::max(decimals_, 0);
     resolution.absolute = unit * unit_of_place(decimals_);
