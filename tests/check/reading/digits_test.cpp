@@ -126,6 +126,7 @@ TEST(TimeDigits, OfClocksAreThoseOfTheDifferences) {
   EXPECT_DOUBLE_EQ(resolution_of<TimeDigits>(nanoseconds, 1e-9).at(3), 1e-6);
   EXPECT_LT(resolution_of<TimeDigits>(equal, 1e-9).at(3), 1e-8);
   EXPECT_NEAR(resolution_of<TimeDigits>(doubles).at(3), 3.8e-7, 0.1e-7);
+  EXPECT_LT(resolution_of<TimeDigits>({"1772619065.123456789"}).at(3), 1e-6);  // no difference
 }
 
 TEST(TimeDigits, OfAFewRoundNumbersAreExact) {
