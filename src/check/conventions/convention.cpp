@@ -44,31 +44,6 @@ std::string in_quotes_if_needed(const std::string& name) {
   return quoted + '"';
 }
 
-/// The form of an attitude; nothing for columns that are no attitude.
-std::optional<AttitudeForm> attitude_form_of(Kind kind) {
-  switch (kind) {
-    case Kind::time:
-    case Kind::rates:
-    case Kind::momentum:
-      return std::nullopt;
-    case Kind::matrix:
-      return AttitudeForm::matrix;
-    case Kind::quaternion:
-      return AttitudeForm::quaternion;
-    case Kind::euler:
-      return AttitudeForm::euler;
-    case Kind::rotation_vector:
-      return AttitudeForm::rotation_vector;
-    case Kind::axis_angle:
-      return AttitudeForm::axis_angle;
-    case Kind::mrp:
-      return AttitudeForm::mrp;
-    case Kind::rodrigues:
-      return AttitudeForm::rodrigues;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 TimeUnit time_unit(const Convention& convention) {
@@ -84,10 +59,32 @@ Angle angle_unit(const Convention& convention) {
   return angle_of(rate_unit(convention)).value_or(Angle::radians);
 }
 
+std::optional<Kind> kind_of(AttitudeForm form) {
+  switch (form) {
+    case AttitudeForm::none:
+      return std::nullopt;
+    case AttitudeForm::matrix:
+      return Kind::matrix;
+    case AttitudeForm::quaternion:
+      return Kind::quaternion;
+    case AttitudeForm::euler:
+      return Kind::euler;
+    case AttitudeForm::rotation_vector:
+      return Kind::rotation_vector;
+    case AttitudeForm::axis_angle:
+      return Kind::axis_angle;
+    case AttitudeForm::mrp:
+      return Kind::mrp;
+    case AttitudeForm::rodrigues:
+      return Kind::rodrigues;
+  }
+  return std::nullopt;
+}
+
 AttitudeForm attitude_form(const Convention& convention) {
-  for (const Kind kind : enumerators<Kind>) {
-    const auto form = attitude_form_of(kind);
-    if (form && convention.columns.contains(names_of(kind).front())) return *form;
+  for (const AttitudeForm form : enumerators<AttitudeForm>) {
+    const auto kind = kind_of(form);
+    if (kind && convention.columns.contains(names_of(*kind).front())) return form;
   }
   return AttitudeForm::none;
 }

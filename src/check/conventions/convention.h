@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/conventions/body_axes.h"
+#include "check/conventions/names.h"
 
 namespace twrench::check {
 
@@ -57,8 +58,8 @@ struct Convention {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
   bool inverse_is_stated = false;  ///< by the file itself
   bool inverse = false;            ///< the attitude is body_from_space
-  bool rates_in_space =
-      false;  ///< the rates or the angular momentum are in space axes, not in the body's
+  /// Whether the rates or the angular momentum are in space axes, not in the body's.
+  bool rates_in_space = false;
   /// The body's axes along which the file's axes point.
   BodyAxes axes;
   /// If present, the attitude is that of a part; this rotation takes the part's axes to the file's
@@ -86,6 +87,9 @@ const std::vector<std::string>& all_sequences();
 /// Returns the sequence in lower case. Throws InvalidArgument about `quantity` unless it is one of
 /// the twelve.
 std::string parse_sequence(std::string_view text, const std::string& quantity);
+
+/// The kind of the columns of a form; nothing for `none`.
+std::optional<Kind> kind_of(AttitudeForm form);
 
 /// The form whose columns the convention has.
 AttitudeForm attitude_form(const Convention& convention);

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "base/letters.h"
 #include "check/conventions/names.h"
 #include "check/conventions/units.h"
@@ -20,9 +20,14 @@
 namespace twrench::check {
 namespace {
 
-constexpr std::array attitudes{Kind::matrix,          Kind::quaternion, Kind::euler,
-                               Kind::rotation_vector, Kind::axis_angle, Kind::mrp,
-                               Kind::rodrigues};
+/// The kinds of columns that are an attitude.
+std::vector<Kind> attitude_kinds() {
+  std::vector<Kind> kinds;
+  for (const AttitudeForm form : enumerators<AttitudeForm>) {
+    if (const auto kind = kind_of(form)) kinds.push_back(*kind);
+  }
+  return kinds;
+}
 
 /// The columns of the time, the rates and the attitude in one reading of the file; either of the
 /// last two may be missing.
@@ -93,7 +98,7 @@ std::optional<ColumnSet> said_rates(const table::Header& header, const Conventio
 /// The attitude as the user gave it. Throws if columns of several forms are named.
 std::optional<ColumnSet> said_attitude(const table::Header& header, const Convention& said) {
   std::optional<ColumnSet> attitude;
-  for (const Kind kind : attitudes) {
+  for (const Kind kind : attitude_kinds()) {
     const auto set = said_set(header, said, kind);
     if (set && attitude) throw said_twice(header, *attitude, *set);
     if (set) attitude = set;
@@ -128,7 +133,7 @@ std::vector<ColumnSet> find_rates(const table::Header& header) {
 /// no others are there.
 std::vector<ColumnSet> find_attitudes(const table::Header& header) {
   std::vector<ColumnSet> found;
-  for (const Kind kind : attitudes)
+  for (const Kind kind : attitude_kinds())
     std::ranges::move(find_sets(header, kind), std::back_inserter(found));
   if (!std::ranges::all_of(found, &ColumnSet::is_weak)) std::erase_if(found, &ColumnSet::is_weak);
   return found;

@@ -28,28 +28,6 @@ double length_of(std::span<const table::Number> q) {
 /// A quaternion that drifts is judged; any other is rejected, as with matrices.
 constexpr double most_drift = 0.1;
 
-/// The kind of the columns of a form other than `none`.
-Kind kind_of(AttitudeForm form) {
-  switch (form) {
-    case AttitudeForm::none:
-    case AttitudeForm::matrix:
-      return Kind::matrix;
-    case AttitudeForm::quaternion:
-      return Kind::quaternion;
-    case AttitudeForm::euler:
-      return Kind::euler;
-    case AttitudeForm::rotation_vector:
-      return Kind::rotation_vector;
-    case AttitudeForm::axis_angle:
-      return Kind::axis_angle;
-    case AttitudeForm::mrp:
-      return Kind::mrp;
-    case AttitudeForm::rodrigues:
-      return Kind::rodrigues;
-  }
-  return Kind::matrix;
-}
-
 /// How far the length of a quaternion may be from that of the first row, because both were rounded
 /// or truncated to their last digits. Quaternions of varying length are no scaled rotations.
 double allowed_for_rounding(std::span<const table::Number> q) {
@@ -105,7 +83,7 @@ RowDecoder::RowDecoder(const table::Header& header, const Convention& convention
       place_(std::move(place)) {
   select(header, convention, Kind::time);
   if (has_rates_) select(header, convention, has_momentum_ ? Kind::momentum : Kind::rates);
-  if (form_ != AttitudeForm::none) select(header, convention, kind_of(form_));
+  if (const auto kind = kind_of(form_)) select(header, convention, *kind);
   if (rates_in_space_ && form_ == AttitudeForm::none) {
     throw InvalidArgument(header.file, "rates in space axes say nothing without an attitude",
                           "name the columns of the attitude");
@@ -250,7 +228,7 @@ void RowDecoder::decode_attitude(std::span<const table::Number> numbers, Row& ro
 }
 
 table::BadTable RowDecoder::bad_attitude(const std::string& why, const std::string& remedy) const {
-  return {fmt::format("{}: {}", place_(), description_of(kind_of(form_))), why, remedy};
+  return {fmt::format("{}: {}", place_(), description_of(*kind_of(form_))), why, remedy};
 }
 
 void RowDecoder::decode_matrix(std::span<const table::Number> entries, Row& row) const {

@@ -57,7 +57,7 @@ Miss miss_of_attitude_alone(const Matrix3d& inertia, std::span<const Row> rows, 
           std::max(angle(turn.transpose() * on), angle(turn.transpose() * expected))};
 }
 
-/// What is tested, and of how many strides of rows it needs.
+/// A test of the rates or of the attitude against the physics.
 struct Measure {
   Miss (*miss)(const Matrix3d& inertia, std::span<const Row> rows, std::size_t i,
                std::size_t stride);
