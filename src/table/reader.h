@@ -21,7 +21,7 @@ struct Header {
   std::vector<std::string> units;  ///< of each column, from a row below the names; or empty
   std::optional<bool> states_inverse = {};  ///< whether the attitude is body from space
   std::string sequence = {};                ///< of Euler angles, "zyx"; empty if not stated
-  /// Of each column, from the first row; or empty if no column has calendar times. Their numbers
+  /// The kind of each column, from the first row; empty if none has calendar times. Their numbers
   /// are in s since 1970, or since midnight.
   std::vector<Calendar> calendar = {};
   std::vector<std::string> preamble =

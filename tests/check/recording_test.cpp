@@ -89,7 +89,7 @@ TEST(Recording, KeepsItsFirstRowsForAllConventions) {
   EXPECT_EQ(passes, 1);
 }
 
-// Where q0 is the scalar, as usual, and this fits, the order is no question.
+// The order of q0 ... q3 is not asked for if the usual one, scalar first, fits.
 TEST(Recording, ReadsNumberedQuaternionsInTheirUsualOrder) {
   std::string text = quaternions();
   text.replace(text.find("q1,q2,q3,q4"), 11, "q0,q1,q2,q3");

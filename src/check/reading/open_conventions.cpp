@@ -278,7 +278,7 @@ Stated<TimeUnit> time_in(const StatedUnit& words) {
   return {words.time, words.unread};
 }
 
-/// Whether a quantity is said to be in a unit of times; a column may just be called "s".
+/// Whether the name states a unit of times; a column may just be called "s".
 bool is_in_time_unit(const StatedUnit& words) {
   return !words.other_words.empty() && words.unread.empty() && !words.rate && words.ends_with_time;
 }

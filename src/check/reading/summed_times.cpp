@@ -117,7 +117,7 @@ class SummedTimes : public table::Reader {
   std::string place() const override { return table_->place(); }
 
  private:
-  /// Where the numbers of a selected column are among those of the table.
+  /// The place of a selected column among the numbers of the table.
   struct Place {
     std::size_t at;
     const Sum* sum;  ///< null unless the next number has to be added
