@@ -5,8 +5,8 @@
 #include <limits>
 #include <string_view>
 
-#include "check/reading/open_conventions.h"
-#include "check/reading/row_reader.h"
+#include "recording/columns/open_conventions.h"
+#include "recording/row_reader.h"
 #include "system/error.h"
 #include "table/reader.h"
 #include "target.h"
@@ -15,10 +15,10 @@ namespace {
 
 using namespace twrench;
 
-void read_rows(std::string_view bytes, const check::Convention& convention) {
-  check::RowReader reader(table::open_table("input", bytes), convention);
+void read_rows(std::string_view bytes, const recording::Convention& convention) {
+  recording::RowReader reader(table::open_table("input", bytes), convention);
   double last = -std::numeric_limits<double>::infinity();
-  for (check::Row row; reader.next(row);) {
+  for (recording::Row row; reader.next(row);) {
     require(row.t > last, "times ascend");
     require(row.omega.allFinite() && row.X.allFinite(), "numbers are finite");
     require(row.X.determinant() > 0, "an attitude is no reflection");
@@ -31,9 +31,9 @@ void read_rows(std::string_view bytes, const check::Convention& convention) {
 void read_table(std::string_view bytes) {
   const auto header = table::open_table("input", bytes)->header();
   require(!header.names.empty(), "a table has columns");
-  for (const check::Convention& convention : check::conventions(header, {})) {
-    const auto columns = check::format_columns(convention.columns);
-    require(check::parse_columns(columns, "columns") == convention.columns,
+  for (const recording::Convention& convention : recording::conventions(header, {})) {
+    const auto columns = recording::format_columns(convention.columns);
+    require(recording::parse_columns(columns, "columns") == convention.columns,
             "columns are read back");
     read_rows(bytes, convention);
   }

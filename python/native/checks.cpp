@@ -35,16 +35,17 @@ namespace py = pybind11;
 namespace fs = std::filesystem;
 using OptionTexts = std::map<std::string, std::string>;
 
-check::Convention convention_of(const OptionTexts& texts, bool inverse,
-                                const std::optional<Eigen::Vector4d>& offset) {
-  check::Convention convention = check::parse_convention({.columns = texts.at("columns"),
-                                                          .time_unit = texts.at("time_unit"),
-                                                          .units = texts.at("units"),
-                                                          .angle_units = texts.at("angle_units"),
-                                                          .sequence = texts.at("sequence"),
-                                                          .rates = texts.at("rates"),
-                                                          .axes = texts.at("axes"),
-                                                          .inverse = inverse});
+recording::Convention convention_of(const OptionTexts& texts, bool inverse,
+                                    const std::optional<Eigen::Vector4d>& offset) {
+  recording::Convention convention =
+      check::parse_convention({.columns = texts.at("columns"),
+                               .time_unit = texts.at("time_unit"),
+                               .units = texts.at("units"),
+                               .angle_units = texts.at("angle_units"),
+                               .sequence = texts.at("sequence"),
+                               .rates = texts.at("rates"),
+                               .axes = texts.at("axes"),
+                               .inverse = inverse});
   if (offset) convention.offset = scene::limits::check_rotation("offset", *offset);
   return convention;
 }
@@ -84,9 +85,9 @@ using Columns = std::vector<std::pair<std::string, py::array_t<double>>>;
 using Source = std::variant<std::string, std::pair<std::string, Columns>>;
 
 /// Returns a function that opens the source, for any thread.
-std::function<check::Recording()> opener_of(const Source& source) {
+std::function<recording::Recording()> opener_of(const Source& source) {
   if (const auto* file = std::get_if<std::string>(&source)) {
-    return [file] { return check::Recording(fs::path(*file)); };
+    return [file] { return recording::Recording(fs::path(*file)); };
   }
   const auto& [name, arrays] = std::get<1>(source);
   std::vector<table::Column> columns;
@@ -96,7 +97,7 @@ std::function<check::Recording()> opener_of(const Source& source) {
   }
   const auto rows = static_cast<std::size_t>(arrays.front().second.size());
   return [&name = name, columns = std::move(columns), rows] {
-    return check::Recording(table::open_table(name, columns, rows));
+    return recording::Recording(table::open_table(name, columns, rows));
   };
 }
 
@@ -107,7 +108,7 @@ std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
     std::optional<double> omega_time, bool fit, const OptionTexts& texts, bool inverse,
     const std::optional<Eigen::Vector4d>& offset, const std::map<std::string, double>& bounds,
     const Output* plot) {
-  std::vector<std::function<check::Recording()>> openers;
+  std::vector<std::function<recording::Recording()>> openers;
   for (const Source& source : sources) openers.push_back(opener_of(source));
   if (plot != nullptr) plot::require_gnuplot(plot->file.format());
   for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
@@ -116,7 +117,7 @@ std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
   problem.omega_time = omega_time;
   problem.fit = fit;
   problem.frame = find_enumerator<check::FrameSource>(texts.at("frame"), "frame");
-  const check::Convention convention = convention_of(texts, inverse, offset);
+  const recording::Convention convention = convention_of(texts, inverse, offset);
   const check::Bounds most = bounds_of(bounds);
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     problem.stop = &stop;

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # Excludes rendering and starting programs, which do not depend on the processor, and the studies,
 # which take too long there.
 programs=(
-  math_test body_test motion_test scene_test table_test check_test timeline_test image_test canvas_test
+  math_test body_test motion_test scene_test table_test recording_test timeline_test image_test canvas_test
   fuzz_manifest fuzz_png fuzz_range fuzz_scene fuzz_table
 )
 scripts/maintain/setup.sh arm64

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/time_unit.h"
-#include "check/conventions/units.h"
 #include "plot/panels.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::plot {
 namespace {
@@ -26,8 +26,8 @@ struct ErrorPanel {
 
 std::vector<ErrorPanel> panels_of(std::span<const JudgedCurve> curves) {
   constexpr double per_radian = 180 / std::numbers::pi;
-  const check::RateUnitName& rates =
-      check::name_of(check::rate_unit(curves.front().judgement->convention));
+  const recording::RateUnitName& rates =
+      recording::name_of(recording::rate_unit(curves.front().judgement->convention));
   std::vector<ErrorPanel> panels{{"Rates",
                                   rates.symbol,
                                   "rates",

@@ -7,10 +7,10 @@
 #include <random>
 #include <string>
 
-#include "check/reading/open_conventions.h"
 #include "check/report/checked_file.h"
 #include "check/report/report.h"
 #include "check/verdict/error.h"
+#include "recording/columns/open_conventions.h"
 #include "scratch_folder.h"
 #include "system/file.h"
 
@@ -27,8 +27,8 @@ std::string report_of(const std::string& csv, const Problem& problem) {
   const std::filesystem::path file = folder / "run.csv";
   system::write_file_atomically(file, csv);
   try {
-    const CheckResult result =
-        check_files(1, [&](std::size_t) { return Recording(file); }, {}, {}, problem, {});
+    const CheckResult result = check_files(
+        1, [&](std::size_t) { return recording::Recording(file); }, {}, {}, problem, {});
     return check_text(result) + check_json(result) + check_junit(result);
   } catch (const Error& error) {
     return std::string("error: ") + error.what();

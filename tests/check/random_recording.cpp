@@ -11,17 +11,21 @@
 #include <cmath>
 
 #include "base/enumeration.h"
-#include "check/conventions/attitude.h"
-#include "check/conventions/names.h"
-#include "check/conventions/units.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/verdict/judge.h"
+#include "recording/conventions/attitude.h"
+#include "recording/conventions/names.h"
+#include "recording/conventions/units.h"
 #include "scene_dice.h"
 #include "system/file.h"
 #include "table/error.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::AttitudeForm;
+using recording::Convention;
+using recording::Kind;
 
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -133,10 +137,10 @@ std::map<std::string, std::string> columns_of(AttitudeForm form, bool has_rates,
 
 /// The angles of X about the axes of a sequence, in the order of the columns.
 Vector3d euler_angles(const Matrix3d& X, const std::string& sequence) {
-  const Axes axes = axes_of(sequence);
+  const recording::Axes axes = recording::axes_of(sequence);
   const Vector3d angles = X.eulerAngles(axes[0], axes[1], axes[2]);
   Vector3d placed;
-  const auto places = angle_places(axes);
+  const auto places = recording::angle_places(axes);
   for (std::size_t i = 0; i < 3; ++i)
     placed[static_cast<Eigen::Index>(places[i])] = angles[static_cast<Eigen::Index>(i)];
   return placed;
@@ -256,7 +260,8 @@ std::string description_of(const Convention& c) {
   return fmt::format("{} {} {} {} inverse {} space {} axes {} offset {} columns {}",
                      name_of(time_unit(c)).option, name_of(rate_unit(c)).option,
                      name_of(angle_unit(c)).option, c.sequence, c.inverse, c.rates_in_space,
-                     format_body_axes(c.axes), c.offset.has_value(), format_columns(c.columns));
+                     format_body_axes(c.axes), c.offset.has_value(),
+                     recording::format_columns(c.columns));
 }
 
 }  // namespace
@@ -275,14 +280,15 @@ RandomRecording recording_with(std::string_view mistake, RecordedBody body, std:
   Convention told;
   told.columns = columns_of(AttitudeForm::none, true);
   Convention right = told;
-  for (const TimeUnitName& name : common_time_units()) {
+  for (const recording::TimeUnitName& name : recording::common_time_units()) {
     if (mistake == name.option) right.time_unit = name.unit;
   }
-  for (const RateUnitName& name : rate_units()) {
+  for (const recording::RateUnitName& name : recording::rate_units()) {
     if (mistake == name.option) right.rate_unit = name.unit;
   }
-  if (mistake.find(',') != std::string_view::npos) right.axes = parse_body_axes(mistake, "axes");
-  if (mistake == "left-handed") right.axes = parse_body_axes("x,y,-z", "axes");
+  if (mistake.find(',') != std::string_view::npos)
+    right.axes = recording::parse_body_axes(mistake, "axes");
+  if (mistake == "left-handed") right.axes = recording::parse_body_axes("x,y,-z", "axes");
   const Numbers numbers = mistake == "nine digits" ? Numbers::nine_digits
                           : mistake == "float32"   ? Numbers::floats
                                                    : Numbers::doubles;
@@ -304,14 +310,16 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   told.inertia = motion.moments.asDiagonal();
   if (form == AttitudeForm::euler) told.sequence = "zyx";
   Convention right = told;
-  if (dice.chance(0.5)) right.time_unit = dice.pick(common_time_units()).unit;
-  if (rates && !momentum && dice.chance(0.5)) right.rate_unit = dice.pick(rate_units()).unit;
-  if (dice.chance(0.5)) right.axes = dice.pick(all_body_axes());
+  if (dice.chance(0.5)) right.time_unit = dice.pick(recording::common_time_units()).unit;
+  if (rates && !momentum && dice.chance(0.5))
+    right.rate_unit = dice.pick(recording::rate_units()).unit;
+  if (dice.chance(0.5)) right.axes = dice.pick(recording::all_body_axes());
   right.angle_unit = angle_unit(told);
   if (form == AttitudeForm::euler) {
-    if (dice.chance(0.5)) right.sequence = dice.pick(all_sequences());
+    if (dice.chance(0.5)) right.sequence = dice.pick(recording::all_sequences());
   }
-  if (has_angles(form) && dice.chance(0.5)) right.angle_unit = dice.pick(angle_units()).unit;
+  if (has_angles(form) && dice.chance(0.5))
+    right.angle_unit = dice.pick(recording::angle_units()).unit;
   if (form == AttitudeForm::quaternion && dice.chance(0.5)) move_scalar(right);
   if (form != AttitudeForm::none) right.inverse = dice.chance(0.5);
   if (form != AttitudeForm::none && rates) {
@@ -330,7 +338,7 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
 std::string fault_of_verdict(const RandomRecording& recording,
                              const std::filesystem::path& folder) try {
   system::write_file_atomically(folder / "recording.csv", recording.text);
-  const Recording file(folder / "recording.csv");
+  const recording::Recording file(folder / "recording.csv");
   const Judgement as_read = judge(file, recording.told, recording.problem);
   if (as_read.within_noise) return {};
   const Alternatives found = better_readings(file, recording.problem, as_read);

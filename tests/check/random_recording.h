@@ -6,15 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "check/conventions/convention.h"
 #include "check/verdict/problem.h"
+#include "recording/conventions/convention.h"
 
 namespace twrench::check {
 
 /// A file with an exact motion, and the convention in which it is read.
 struct RandomRecording {
-  std::string text;        ///< CSV
-  Convention told, right;  ///< in which it is read at first, and was written
+  std::string text;                   ///< CSV
+  recording::Convention told, right;  ///< in which it is read at first, and was written
   Problem problem;
   std::string description;
 };

@@ -1,4 +1,4 @@
-#include "check/reading/recording.h"
+#include "recording/recording.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,13 +12,16 @@
 #include <vector>
 
 #include "check/hypotheses/hypotheses.h"
-#include "check/reading/open_conventions.h"
 #include "check/recordings.h"
 #include "check/report/choice.h"
+#include "recording/columns/open_conventions.h"
 #include "table/error.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::Convention;
+using recording::Recording;
 
 using testing::SizeIs;
 
@@ -45,7 +48,7 @@ class CountedReader : public table::Reader {
 /// Rates and quaternions whose names leave the place of the scalar open.
 std::string quaternions() {
   std::string text = "t,wx,wy,wz,q1,q2,q3,q4\n";
-  for (const Row& row : exact_rows()) {
+  for (const recording::Row& row : exact_rows()) {
     const Eigen::Quaterniond q(row.X);
     text += fmt::format("{:.12g},{},{},{},{},{},{},{}\n", row.t, row.omega[0], row.omega[1],
                         row.omega[2], q.w(), q.x(), q.y(), q.z());
@@ -79,7 +82,7 @@ TEST(Recording, KeepsItsFirstRowsForAllConventions) {
   int passes = 0;
   const Recording recording(
       std::make_unique<CountedReader>(table::open_table("run.csv", text), passes));
-  const std::vector<Convention> open = conventions(recording.header(), {});
+  const std::vector<Convention> open = recording::conventions(recording.header(), {});
   ASSERT_THAT(open, SizeIs(2));
   readings(recording, inertia, open);
   EXPECT_EQ(passes, 1);
@@ -103,7 +106,7 @@ TEST(Recording, ReadsNumberedQuaternionsInTheirUsualOrder) {
 // Two units are possible, and only one of them fits.
 TEST(Recording, NamesTheOptionOfTheUnitOfTimesThatFits) {
   std::string text = "timestamp,wx,wy,wz\n";
-  for (const Row& row : exact_rows()) {
+  for (const recording::Row& row : exact_rows()) {
     text += fmt::format("{:.0f},{},{},{}\n", 1e3 * row.t, row.omega[0], row.omega[1], row.omega[2]);
   }
   const Recording recording(table::open_table("run.csv", text));

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "check/conventions/convention.h"
-#include "check/reading/row.h"
 #include "check/verdict/judge.h"
+#include "recording/conventions/convention.h"
+#include "recording/rows.h"
 #include "scratch_folder.h"
 #include "system/file.h"
 
@@ -33,8 +33,9 @@ inline Problem tumbling_problem() { return {.inertia = inertia}; }
 /// Rows at `count` times from `start` on, every `step` s. `sample(t)` returns the motion at the
 /// time t since `start`.
 template <typename Motion>
-std::vector<Row> rows_of(const Motion& sample, std::size_t count, double step, double start = 0) {
-  std::vector<Row> rows;
+std::vector<recording::Row> rows_of(const Motion& sample, std::size_t count, double step,
+                                    double start = 0) {
+  std::vector<recording::Row> rows;
   for (std::size_t i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) * step;
     const motion::Sample at = sample(t);
@@ -44,14 +45,15 @@ std::vector<Row> rows_of(const Motion& sample, std::size_t count, double step, d
 }
 
 /// The exact motion of tumbling_body() at `count` times.
-inline std::vector<Row> exact_rows(std::size_t count = 401, double step = 0.1, double start = 0) {
+inline std::vector<recording::Row> exact_rows(std::size_t count = 401, double step = 0.1,
+                                              double start = 0) {
   const motion::ExactMotion exact(tumbling_body());
   return rows_of([&](double t) { return exact.at(t); }, count, step, start);
 }
 
 /// The rows as a CSV file with our own names for the columns, with all digits or this number of
 /// decimals.
-inline std::string csv_of(const std::vector<Row>& rows, Parts parts, int decimals = -1) {
+inline std::string csv_of(const std::vector<recording::Row>& rows, Parts parts, int decimals = -1) {
   const auto number = [decimals](double value) {
     return decimals < 0 ? fmt::format(",{:.17g}", value) : fmt::format(",{:.{}f}", value, decimals);
   };
@@ -59,7 +61,7 @@ inline std::string csv_of(const std::vector<Row>& rows, Parts parts, int decimal
   if (parts != Parts::rates) text += ",x11,x12,x13,x21,x22,x23,x31,x32,x33";
   if (parts != Parts::attitude) text += ",wx,wy,wz";
   text += "\n";
-  for (const Row& row : rows) {
+  for (const recording::Row& row : rows) {
     text += fmt::format("{:.12g}", row.t);
     for (int i = 0; i < 9 && parts != Parts::rates; ++i) text += number(row.X(i / 3, i % 3));
     for (int i = 0; i < 3 && parts != Parts::attitude; ++i) text += number(row.omega[i]);
@@ -68,8 +70,8 @@ inline std::string csv_of(const std::vector<Row>& rows, Parts parts, int decimal
   return text;
 }
 
-inline Convention own_names(Parts parts) {
-  Convention convention;
+inline recording::Convention own_names(Parts parts) {
+  recording::Convention convention;
   convention.columns["t"] = "t";
   for (int i = 0; i < 9 && parts != Parts::rates; ++i) {
     const std::string name = fmt::format("x{}{}", i / 3 + 1, i % 3 + 1);
@@ -82,11 +84,11 @@ inline Convention own_names(Parts parts) {
 }
 
 /// Writes the rows to a file and judges it.
-inline Judgement judged(const std::vector<Row>& rows, Parts parts, const Problem& problem,
-                        int decimals = -1) {
+inline Judgement judged(const std::vector<recording::Row>& rows, Parts parts,
+                        const Problem& problem, int decimals = -1) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "rows.csv", csv_of(rows, parts, decimals));
-  return judge(Recording(folder / "rows.csv"), own_names(parts), problem);
+  return judge(recording::Recording(folder / "rows.csv"), own_names(parts), problem);
 }
 
 inline double in_degrees(double angle) { return angle * 180 / std::numbers::pi; }

@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "base/enumeration.h"
-#include "check/conventions/names.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/verdict/judge.h"
+#include "recording/conventions/names.h"
 #include "scene_dice.h"
 #include "system/file.h"
 #include "table/error.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::Kind;
 
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -232,12 +234,12 @@ VerdictOnLaw verdict_on(const WrongSimulation& simulation,
                         const std::filesystem::path& folder) try {
   const std::filesystem::path file = folder / "simulation.csv";
   system::write_file_atomically(file, simulation.text);
-  Convention told;
+  recording::Convention told;
   for (const Kind kind : {Kind::time, Kind::quaternion, Kind::rates}) {
     for (const std::string& name : names_of(kind)) told.columns[name] = name;
   }
   const Problem problem{.inertia = simulation.inertia};
-  const Recording recording(file);
+  const recording::Recording recording(file);
   const Judgement as_read = judge(recording, told, problem);
   if (as_read.within_noise) return {};
   const Alternatives found = better_readings(recording, problem, as_read);

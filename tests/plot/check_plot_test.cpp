@@ -21,8 +21,8 @@ check::Span span(double t, double rate_error, double attitude_error) {
 
 check::Judgement judgement(bool has_rates, bool has_attitude) {
   const motion::FreeBody body(Eigen::Matrix3d::Identity(), Eigen::Vector3d(0, 0, 1));
-  check::Convention convention;
-  convention.rate_unit = check::RateUnit::deg_s;
+  recording::Convention convention;
+  convention.rate_unit = recording::RateUnit::deg_s;
   return {.convention = convention,
           .has_rates = has_rates,
           .has_attitude = has_attitude,

@@ -83,7 +83,7 @@ ExitCode run_check(const CheckOptions& options) {
   const system::OutputFile file = options.output.add_to(files);
   const std::optional<system::OutputFile> plot_file = plot::add_plot(files, options.plot);
   const check::CheckResult result = check::check_files(
-      options.files.size(), [&](std::size_t i) { return check::Recording(options.files[i]); },
+      options.files.size(), [&](std::size_t i) { return recording::Recording(options.files[i]); },
       given_steps(options), options.setup.convention(), options.setup.problem(),
       bounds_of(options));
   system::Output output(file);  // write both it and the plot, or neither

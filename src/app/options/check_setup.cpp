@@ -11,7 +11,7 @@
 #include "app/options/option_group.h"
 #include "app/options/scene_options.h"
 #include "base/enumeration.h"
-#include "check/conventions/units.h"
+#include "recording/conventions/units.h"
 #include "scene/interior.h"
 #include "scene/limits.h"
 #include "scene/mesh_scene.h"
@@ -87,13 +87,13 @@ void CheckSetup::add_options(CLI::App& command) {
       ->type_name("t=NAME,wx=NAME,...")
       ->default_str("by their names")
       ->group(heading(OptionGroup::data));
-  add_unit_option(command, "--time-unit", texts_.time_unit, "unit of times", check::time_units(),
-                  "what the file says, else s");
+  add_unit_option(command, "--time-unit", texts_.time_unit, "unit of times",
+                  recording::time_units(), "what the file says, else s");
   add_unit_option(command, "--units", texts_.units,
-                  "unit of angles and, a second, of rates; rpm of rates alone", check::rate_units(),
-                  "what the file says, else rad");
+                  "unit of angles and, a second, of rates; rpm of rates alone",
+                  recording::rate_units(), "what the file says, else rad");
   add_unit_option(command, "--angle-units", texts_.angle_units, "unit of Euler angles alone",
-                  check::angle_units(), "what the file says, else that of --units");
+                  recording::angle_units(), "what the file says, else that of --units");
   command
       .add_option("--sequence", texts_.sequence,
                   "axes of Euler angles in the order of the rotations")
@@ -180,8 +180,8 @@ check::Problem CheckSetup::problem() const {
   return problem;
 }
 
-check::Convention CheckSetup::convention() const {
-  check::Convention given = check::parse_convention(texts_);
+recording::Convention CheckSetup::convention() const {
+  recording::Convention given = check::parse_convention(texts_);
   if (!offset_.empty()) {
     given.offset = scene::limits::check_rotation("--offset", parse_quaternion(offset_, "--offset"));
   }

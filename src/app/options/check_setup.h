@@ -23,7 +23,7 @@ class CheckSetup {
   check::Problem problem() const;
 
   /// Returns how files are to be read, as far as the options determine it. Throws InvalidArgument.
-  check::Convention convention() const;
+  recording::Convention convention() const;
 
   /// Adds the scene file, and all files that it names, to the inputs. Throws OverwriteError.
   void add_inputs(system::FileList& files) const;

@@ -11,12 +11,12 @@
 
 #include "app/terminal/message.h"
 #include "canvas/error.h"
-#include "check/reading/column_error.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/error.h"
 #include "interchange/error.h"
 #include "plot/gnuplot.h"
+#include "recording/columns/columns.h"
 #include "system/error.h"
 #include "system/file.h"
 #include "video/error.h"
@@ -81,7 +81,7 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
   return {};
 }
 
-std::string remedy_for_columns(const check::ColumnError& error) {
+std::string remedy_for_columns(const recording::ColumnError& error) {
   if (!error.suggested().empty()) {
     return fmt::format("if they are meant, add --columns '{}'", error.suggested());
   }
@@ -188,7 +188,7 @@ bool is_of_the_system(const std::system_error& error) {
 
 std::string remedy_for(const Error& error) {
   if (const auto* gl = as<gl::GlError>(error)) return remedy_for_gl(*gl);
-  if (const auto* columns = as<check::ColumnError>(error)) return remedy_for_columns(*columns);
+  if (const auto* columns = as<recording::ColumnError>(error)) return remedy_for_columns(*columns);
   if (!error.remedy().empty()) return error.remedy();
   if (const auto* motion = as<motion::MotionError>(error))
     return remedy_for_motion(motion->reason());

@@ -10,6 +10,9 @@
 
 namespace twrench::check {
 
+using recording::BodyAxes;
+using recording::Row;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -37,7 +40,7 @@ bool are_equivalent(const Matrix3d& inertia, const BodyAxes& a, const BodyAxes& 
 
 std::vector<BodyAxes> distinct_axes(const Matrix3d& inertia, const BodyAxes& first) {
   std::vector<BodyAxes> distinct{first};
-  for (const BodyAxes& axes : all_body_axes()) {
+  for (const BodyAxes& axes : recording::all_body_axes()) {
     const bool is_new = std::ranges::none_of(
         distinct, [&](const BodyAxes& other) { return are_equivalent(inertia, axes, other); });
     if (is_new) distinct.push_back(axes);

@@ -4,15 +4,15 @@
 #include <span>
 #include <vector>
 
-#include "check/conventions/body_axes.h"
-#include "check/reading/row.h"
+#include "recording/conventions/body_axes.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
 /// The change of rows to another convention.
 struct Change {
   double factor = 1;  ///< of the rates
-  BodyAxes axes = {};
+  recording::BodyAxes axes = {};
   bool rates_in_space = false;
   Eigen::Matrix3d offset = Eigen::Matrix3d::Identity();  ///< as Convention::offset
   /// Takes the rates to the vectors in the file: the inertia if these are angular momenta.
@@ -20,26 +20,29 @@ struct Change {
 };
 
 /// Converts rows as RowDecoder would, without reading the file again.
-std::vector<Row> changed(std::span<const Row> rows, const Change& change);
+std::vector<recording::Row> changed(std::span<const recording::Row> rows, const Change& change);
 
 /// Whether the physics cannot distinguish the axes: a rotation that leaves the inertia unchanged
 /// takes motions to motions.
-bool are_equivalent(const Eigen::Matrix3d& inertia, const BodyAxes& a, const BodyAxes& b);
+bool are_equivalent(const Eigen::Matrix3d& inertia, const recording::BodyAxes& a,
+                    const recording::BodyAxes& b);
 
 /// Axes that the physics can distinguish, including `first`.
-std::vector<BodyAxes> distinct_axes(const Eigen::Matrix3d& inertia, const BodyAxes& first);
+std::vector<recording::BodyAxes> distinct_axes(const Eigen::Matrix3d& inertia,
+                                               const recording::BodyAxes& first);
 
 /// The relative standard deviation of |L| and of the energy over the rows, whichever is larger. It
 /// does not depend on the unit of the rates.
-double variation(const Eigen::Matrix3d& inertia, std::span<const Row> rows);
+double variation(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows);
 
 /// The fixed rotation from the axes of the rows' attitude to those of their rates, by least squares
 /// (Wahba's problem) over turns of about a radian. `turned` are the rows converted to `axes`, in
 /// which the rates follow the motion.
-Eigen::Matrix3d offset_between(const Eigen::Matrix3d& inertia, std::span<const Row> rows,
-                               std::span<const Row> turned, const BodyAxes& axes);
+Eigen::Matrix3d offset_between(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
+                               std::span<const recording::Row> turned,
+                               const recording::BodyAxes& axes);
 
 /// Whether rows at the same times have the same motion, up to a rotation of the space frame.
-bool are_same_motion(std::span<const Row> a, std::span<const Row> b);
+bool are_same_motion(std::span<const recording::Row> a, std::span<const recording::Row> b);
 
 }  // namespace twrench::check

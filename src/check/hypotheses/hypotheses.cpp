@@ -8,19 +8,24 @@
 #include <span>
 #include <utility>
 
-#include "check/conventions/units.h"
 #include "check/hypotheses/changed_rows.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/law/mistakes.h"
-#include "check/reading/informative_rows.h"
-#include "check/reading/row_reader.h"
-#include "check/reading/thinned_rows.h"
 #include "check/verdict/fit.h"
 #include "check/verdict/stop.h"
+#include "recording/conventions/units.h"
+#include "recording/informative_rows.h"
+#include "recording/row_reader.h"
+#include "recording/rows.h"
 #include "table/error.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::BodyAxes;
+using recording::Convention;
+using recording::Recording;
+using recording::Row;
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -70,12 +75,13 @@ enum class Open { all, attitude };
 /// Tries the readings of one file.
 class Search {
  public:
-  Search(RowSample numbers, const Problem& problem, const Convention& convention, Open open)
+  Search(recording::RowSample numbers, const Problem& problem, const Convention& convention,
+         Open open)
       : numbers_(std::move(numbers)),
         problem_(problem),
         convention_(convention),
-        has_rates_(check::has_rates(convention)),
-        has_attitude_(attitude_form(convention) != AttitudeForm::none),
+        has_rates_(recording::has_rates(convention)),
+        has_attitude_(attitude_form(convention) != recording::AttitudeForm::none),
         open_(open),
         axes_(open == Open::all ? distinct_axes(problem.inertia, convention.axes)
                                 : std::vector{convention.axes}),
@@ -198,7 +204,7 @@ class Search {
   }
 
   /// The size of `unit` in the unit of the times as read.
-  double seconds(TimeUnit unit) const {
+  double seconds(recording::TimeUnit unit) const {
     return name_of(unit).in_s / name_of(time_unit(convention_)).in_s;
   }
 
@@ -218,7 +224,7 @@ class Search {
     Matrix3d turn = Matrix3d::Identity();
     constexpr double about = 0.05;
     double least = std::min((found - given).norm(), about * given.norm());
-    for (const BodyAxes& other : all_body_axes()) {
+    for (const BodyAxes& other : recording::all_body_axes()) {
       if (!are_equivalent(problem_.inertia, axes, other)) continue;
       const Matrix3d S = other.matrix().transpose() * axes.matrix();
       constexpr double clearly = 0.99;
@@ -277,7 +283,7 @@ class Search {
     return readings;
   }
 
-  RowSample numbers_;
+  recording::RowSample numbers_;
   const Problem& problem_;
   Convention convention_;
   bool has_rates_, has_attitude_;
@@ -303,8 +309,8 @@ namespace {
 /// than about a radian between the former.
 std::vector<Row> spread_rows(const Recording& recording, const Problem& problem,
                              const Convention& convention) {
-  ThinnedRows thinned(most_fitted_rows);
-  RowReader reader = recording.rows(convention);
+  recording::ThinnedRows thinned(most_fitted_rows);
+  recording::RowReader reader = recording.rows(convention);
   Row row;
   double speed = 0;
   while (reader.next(row)) {

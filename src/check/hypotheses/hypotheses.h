@@ -28,15 +28,15 @@ struct Alternatives {
 /// component of the quaternion; in other axes of the body, left-handed ones included; with the
 /// attitude of a part that is fixed to the body. Tries each change alone and with the others.
 /// Throws as RowReader does.
-Alternatives alternatives(const Recording& recording, const Problem& problem,
-                          const Convention& convention);
+Alternatives alternatives(const recording::Recording& recording, const Problem& problem,
+                          const recording::Convention& convention);
 
 /// Does the same for a judged file that does not follow the motion, and tries wrong laws. A reading
 /// fits only if all rows follow the motion in it, and no wrong law explains them far better. If the
 /// rates follow the motion as they are read, only other readings of the attitude are tried. If the
 /// file follows the motion roughly, because of errors or because the moments are nearly the same,
 /// other readings must fit far better.
-Alternatives better_readings(const Recording& recording, const Problem& problem,
+Alternatives better_readings(const recording::Recording& recording, const Problem& problem,
                              const Judgement& judgement);
 
 }  // namespace twrench::check

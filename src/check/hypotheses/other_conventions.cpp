@@ -4,12 +4,17 @@
 #include <iterator>
 #include <string>
 
-#include "check/conventions/units.h"
-#include "check/reading/columns.h"
-#include "check/reading/stated_unit.h"
+#include "recording/columns/columns.h"
+#include "recording/columns/stated_unit.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::Angle;
+using recording::AttitudeForm;
+using recording::Convention;
+using recording::StatedUnit;
 
 /// Adds a changed copy of each convention in the list.
 template <typename Change>
@@ -58,7 +63,7 @@ void add_negated_components(std::vector<Convention>& list) {
 
 void add_sequences(std::vector<Convention>& list) {
   const std::vector<Convention> as_given = list;
-  for (const std::string& sequence : all_sequences()) {
+  for (const std::string& sequence : recording::all_sequences()) {
     for (Convention changed : as_given) {
       if (changed.sequence == sequence) continue;
       changed.sequence = sequence;
@@ -70,8 +75,9 @@ void add_sequences(std::vector<Convention>& list) {
 /// The unit that the column with our name states, or the lines before the names.
 StatedUnit stated_of(const table::Header& header, const Convention& convention,
                      const std::string& ours) {
-  StatedUnit unit = stated_unit(header, find_column(header, ours, convention.columns.at(ours)));
-  if (!unit.rate) unit.rate = unit_in_preamble(header);
+  StatedUnit unit = recording::stated_unit(
+      header, recording::find_column(header, ours, convention.columns.at(ours)));
+  if (!unit.rate) unit.rate = recording::unit_in_preamble(header);
   return unit;
 }
 
@@ -118,22 +124,22 @@ std::vector<Convention> attitude_readings(const table::Header& header,
 
 std::vector<Units> unit_readings(const table::Header& header, const Convention& convention) {
   const Units as_read{time_unit(convention), rate_unit(convention)};
-  std::vector<TimeUnit> times{as_read.time};
+  std::vector<recording::TimeUnit> times{as_read.time};
   if (!stated_of(header, convention, "t").time) {
-    for (const TimeUnitName& name : common_time_units()) {
+    for (const recording::TimeUnitName& name : recording::common_time_units()) {
       if (name.unit != as_read.time) times.push_back(name.unit);
     }
   }
-  std::vector<RateUnit> rates{as_read.rate};
+  std::vector<recording::RateUnit> rates{as_read.rate};
   if (has_rates(convention) && !has_momentum(convention) &&
       !stated_of(header, convention, "wx").rate) {
-    for (const RateUnitName& name : rate_units()) {
+    for (const recording::RateUnitName& name : recording::rate_units()) {
       if (name.unit != as_read.rate) rates.push_back(name.unit);
     }
   }
   std::vector<Units> all;
-  for (const TimeUnit time : times) {
-    for (const RateUnit rate : rates) all.push_back({time, rate});
+  for (const recording::TimeUnit time : times) {
+    for (const recording::RateUnit rate : rates) all.push_back({time, rate});
   }
   return all;
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "check/conventions/convention.h"
+#include "recording/conventions/convention.h"
 #include "table/reader.h"
 
 namespace twrench::check {
@@ -11,20 +11,21 @@ namespace twrench::check {
 /// of the quaternion's components or of the rotations of Euler angles, in the other unit of Euler
 /// angles unless the columns state theirs, and as the inverse, each alone and together; and with
 /// the wrong sign of one component of the quaternion.
-std::vector<Convention> attitude_readings(const table::Header& header,
-                                          const Convention& convention);
+std::vector<recording::Convention> attitude_readings(const table::Header& header,
+                                                     const recording::Convention& convention);
 
 /// A unit of times with a unit of rates.
 struct Units {
-  TimeUnit time;
-  RateUnit rate;
+  recording::TimeUnit time;
+  recording::RateUnit rate;
 };
 
 /// The units that times and rates may have if their columns state none; those of the convention
 /// come first.
-std::vector<Units> unit_readings(const table::Header& header, const Convention& convention);
+std::vector<Units> unit_readings(const table::Header& header,
+                                 const recording::Convention& convention);
 
 /// The number of aspects in which the conventions differ.
-int count_changes(const Convention& before, const Convention& after);
+int count_changes(const recording::Convention& before, const recording::Convention& after);
 
 }  // namespace twrench::check

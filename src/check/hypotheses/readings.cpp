@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "check/reading/informative_rows.h"
+#include "recording/informative_rows.h"
 #include "table/error.h"
 
 namespace twrench::check {
 
-std::vector<Reading> readings(const Recording& recording, const Eigen::Matrix3d& inertia,
-                              std::span<const Convention> conventions) {
+std::vector<Reading> readings(const recording::Recording& recording, const Eigen::Matrix3d& inertia,
+                              std::span<const recording::Convention> conventions) {
   std::vector<Reading> all;
-  for (const Convention& convention : conventions) {
+  for (const recording::Convention& convention : conventions) {
     try {
-      const bool has_attitude = attitude_form(convention) != AttitudeForm::none;
+      const bool has_attitude = attitude_form(convention) != recording::AttitudeForm::none;
       all.push_back({convention, misfit(inertia, informative_rows(recording, convention),
                                         has_rates(convention), has_attitude)});
     } catch (const table::BadTable&) {

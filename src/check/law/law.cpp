@@ -104,7 +104,7 @@ Quaterniond with_grown_angles(const Law& law, const Quaterniond& X, const Vector
 
 }  // namespace
 
-State state_of(const Row& row) { return {row.omega, Quaterniond(row.X).normalized()}; }
+State state_of(const recording::Row& row) { return {row.omega, Quaterniond(row.X).normalized()}; }
 
 State advanced(const Law& law, const State& from, double time, double step) {
   State start = from;

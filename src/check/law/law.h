@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-#include "check/reading/row.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
@@ -46,7 +46,7 @@ struct State {
 };
 
 /// The state of a row.
-State state_of(const Row& row);
+State state_of(const recording::Row& row);
 
 /// The state after a time in s, by the classical method of Runge and Kutta in steps of about `step`
 /// rad: with 0.02, the error is about 1e-9 per radian. Numbers may overflow if the law is far from

@@ -11,6 +11,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "check/law/law.h"
-#include "check/reading/row.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
@@ -65,11 +65,11 @@ struct RelativeNoise {
 /// Fits each wrong law to pairs of rows that are spread over all rows: the state of the first row
 /// of a pair must lead to that of the second. Tries nothing if all rates are zero, or if the body
 /// turns by more than two radians between rows, because no law can be recognised then.
-WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
-                     const RelativeNoise& noise);
+WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
+                     bool has_attitude, const RelativeNoise& noise);
 
 /// The larger one of the misses of the motion of a free body, as in WrongLaws.
-double largest_miss(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
-                    const RelativeNoise& noise);
+double largest_miss(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
+                    bool has_attitude, const RelativeNoise& noise);
 
 }  // namespace twrench::check

@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "check/conventions/units.h"
 #include "check/report/option_text.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::check {
 namespace {
 
+using recording::Convention;
+
 /// The moments in the order of a file whose axes are permuted.
-std::string moments_text(const Eigen::Matrix3d& inertia, const BodyAxes& axes) {
+std::string moments_text(const Eigen::Matrix3d& inertia, const recording::BodyAxes& axes) {
   const Eigen::Vector3d moments = inertia.diagonal();
   return fmt::format("--inertia {},{},{}", moments[axes.axis[0]], moments[axes.axis[1]],
                      moments[axes.axis[2]]);
@@ -19,7 +21,7 @@ std::string moments_text(const Eigen::Matrix3d& inertia, const BodyAxes& axes) {
 /// be reordered as well.
 bool is_moment_order(const Judgement& judgement, const Convention& after) {
   constexpr double rounding = 1e-12;
-  const BodyAxes plain;
+  const recording::BodyAxes plain;
   return judgement.convention.axes == plain && after.axes.axis != plain.axis &&
          after.axes.matrix().determinant() > 0 && !judgement.is_start_given &&
          judgement.reference.body.inertia().isDiagonal(rounding);

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <numbers>
 
-#include "check/reading/unread_columns.h"
 #include "check/report/choice.h"
 #include "check/verdict/error.h"
+#include "recording/columns/unread_columns.h"
 #include "study/ladder.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::Convention;
 
 /// Throws InvalidArgument: the bound is for a quantity that the file does not have.
 [[noreturn]] void refuse_bound(const std::string& option, const std::string& file,
@@ -45,7 +47,7 @@ std::vector<CheckBound> applied(const Bounds& given, const std::string& file,
 }
 
 /// The fit of the initial state, if the rows begin in another state than the given one.
-std::optional<Fit> other_start_of(const Recording& recording, const CheckedFile& file,
+std::optional<Fit> other_start_of(const recording::Recording& recording, const CheckedFile& file,
                                   Problem problem) try {
   if (verdict(file).finding != Finding::start) return std::nullopt;
   problem.omega.reset();
@@ -88,8 +90,8 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
   return {};
 }
 
-CheckedFile check_file(Recording recording, const Convention& given, const Problem& problem,
-                       const Bounds& bounds) {
+CheckedFile check_file(recording::Recording recording, const Convention& given,
+                       const Problem& problem, const Bounds& bounds) {
   const Convention convention = choose_convention(recording, given, problem);
   CheckedFile file{recording.name(), judge(recording, convention, problem), {}, {}, {}, 0};
   file.alternatives = better_readings(recording, problem, file.judgement);

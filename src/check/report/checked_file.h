@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "check/conventions/convention.h"
-#include "check/reading/recording.h"
 #include "check/report/result.h"
 #include "check/verdict/problem.h"
+#include "recording/conventions/convention.h"
+#include "recording/recording.h"
 
 namespace twrench::check {
 
@@ -24,8 +24,9 @@ struct Bounds {
 /// empty, the steps are the mean times between rows. `given` is the convention of all as far as it
 /// is known. Throws as `open`, choose_convention() and judge() do, and InvalidArgument if a bound
 /// is for a quantity that a recording does not have, or the number of steps is not `count`.
-CheckResult check_files(std::size_t count, const std::function<Recording(std::size_t)>& open,
-                        const std::vector<double>& steps, const Convention& given,
+CheckResult check_files(std::size_t count,
+                        const std::function<recording::Recording(std::size_t)>& open,
+                        const std::vector<double>& steps, const recording::Convention& given,
                         const Problem& problem, const Bounds& bounds);
 
 }  // namespace twrench::check

@@ -12,19 +12,22 @@
 #include <utility>
 #include <vector>
 
-#include "check/conventions/names.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/hypotheses/readings.h"
-#include "check/reading/columns.h"
-#include "check/reading/open_conventions.h"
-#include "check/reading/stated_unit.h"
-#include "check/reading/time_choice.h"
 #include "check/report/option_text.h"
+#include "recording/columns/columns.h"
+#include "recording/columns/open_conventions.h"
+#include "recording/columns/stated_unit.h"
+#include "recording/conventions/names.h"
+#include "recording/time_choice.h"
 #include "table/reader.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::AttitudeForm;
+using recording::Convention;
 
 /// The components of the quaternion in the order of the file's columns: "xyzw".
 std::string component_order(const table::Header& header, const Convention& convention) {
@@ -32,7 +35,7 @@ std::string component_order(const table::Header& header, const Convention& conve
   for (const char component : {'w', 'x', 'y', 'z'}) {
     const auto column = convention.columns.find(std::string("q") + component);
     if (column == convention.columns.end()) return {};
-    places.emplace_back(find_column(header, column->first, column->second), component);
+    places.emplace_back(recording::find_column(header, column->first, column->second), component);
   }
   std::ranges::sort(places);
   std::string order;
@@ -91,9 +94,10 @@ bool is_usual_order(const table::Header& header, const std::vector<Convention>& 
                     const Convention& one) {
   if (open.size() != 2 || component_order(header, one) != "wxyz") return false;
   const std::vector<std::string> words =
-      words_of(header.names[find_column(header, "qw", one.columns.at("qw"))]);
+      recording::words_of(header.names[recording::find_column(header, "qw", one.columns.at("qw"))]);
   const auto without_quaternion = [](Convention convention) {
-    for (const std::string& ours : names_of(Kind::quaternion)) convention.columns.erase(ours);
+    for (const std::string& ours : names_of(recording::Kind::quaternion))
+      convention.columns.erase(ours);
     return convention.columns;
   };
   const bool is_named = words.size() > 1 && words.back() == "0";
@@ -107,7 +111,7 @@ std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
     convention.time_unit = open.front().time_unit;
     return option_text(open.front(), convention).empty();
   });
-  if (!is_unit_alone || time_unit(open.front()) != TimeUnit::s) return std::nullopt;
+  if (!is_unit_alone || time_unit(open.front()) != recording::TimeUnit::s) return std::nullopt;
   return open.front();
 }
 
@@ -132,7 +136,7 @@ InvalidArgument ambiguous(const table::Header& header, const Convention& said,
 
 /// If none of the open conventions fits, a reading that no name suggests may do so: that with the
 /// fewest changes, if there is only one.
-std::optional<Reading> unexpected(const Recording& recording, const Problem& problem,
+std::optional<Reading> unexpected(const recording::Recording& recording, const Problem& problem,
                                   const std::vector<Convention>& open) {
   constexpr std::size_t most = 4;
   std::vector<std::map<std::string, std::string>> tried;
@@ -156,10 +160,10 @@ std::optional<Reading> unexpected(const Recording& recording, const Problem& pro
 
 }  // namespace
 
-Convention choose_convention(const Recording& recording, const Convention& given,
+Convention choose_convention(const recording::Recording& recording, const Convention& given,
                              const Problem& problem) {
   const table::Header& header = recording.header();
-  std::vector<Convention> open = with_times(recording, conventions(header, given));
+  std::vector<Convention> open = with_times(recording, recording::conventions(header, given));
   for (Convention& convention : open) convention.inertia = problem.inertia;
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "base/nearest.h"
-#include "check/conventions/body_axes.h"
-#include "check/conventions/units.h"
-#include "check/reading/columns.h"
+#include "recording/columns/columns.h"
+#include "recording/conventions/body_axes.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::check {
 namespace {
@@ -26,19 +26,20 @@ auto unit_named(std::span<const Name> units, const std::string& name, const std:
 
 }  // namespace
 
-Convention parse_convention(const ConventionTexts& texts) {
-  Convention given;
-  if (!texts.columns.empty()) given.columns = parse_columns(texts.columns, "--columns");
-  given.time_unit = unit_named(time_units(), texts.time_unit, "--time-unit");
-  given.rate_unit = unit_named(rate_units(), texts.units, "--units");
-  given.angle_unit = unit_named(angle_units(), texts.angle_units, "--angle-units");
-  if (!texts.sequence.empty()) given.sequence = parse_sequence(texts.sequence, "--sequence");
+recording::Convention parse_convention(const ConventionTexts& texts) {
+  recording::Convention given;
+  if (!texts.columns.empty()) given.columns = recording::parse_columns(texts.columns, "--columns");
+  given.time_unit = unit_named(recording::time_units(), texts.time_unit, "--time-unit");
+  given.rate_unit = unit_named(recording::rate_units(), texts.units, "--units");
+  given.angle_unit = unit_named(recording::angle_units(), texts.angle_units, "--angle-units");
+  if (!texts.sequence.empty())
+    given.sequence = recording::parse_sequence(texts.sequence, "--sequence");
   given.inverse = texts.inverse;
   if (texts.rates != "body" && texts.rates != "space") {
     throw unknown_name("--rates", texts.rates, std::vector<std::string>{"body", "space"});
   }
   given.rates_in_space = texts.rates == "space";
-  if (!texts.axes.empty()) given.axes = parse_body_axes(texts.axes, "--axes");
+  if (!texts.axes.empty()) given.axes = recording::parse_body_axes(texts.axes, "--axes");
   return given;
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "check/conventions/convention.h"
+#include "recording/conventions/convention.h"
 
 namespace twrench::check {
 
@@ -14,6 +14,6 @@ struct ConventionTexts {
 };
 
 /// Throws InvalidArgument about the option whose value is wrong.
-Convention parse_convention(const ConventionTexts& texts);
+recording::Convention parse_convention(const ConventionTexts& texts);
 
 }  // namespace twrench::check

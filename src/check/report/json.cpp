@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/enumeration.h"
-#include "check/conventions/units.h"
 #include "check/report/option_text.h"
 #include "check/report/report.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::check {
 namespace {
@@ -34,7 +34,7 @@ Json flips_json(const Judgement& judgement) {
   return list;
 }
 
-Json convention_json(const Convention& convention) {
+Json convention_json(const recording::Convention& convention) {
   const auto text_or_null = [](const std::string& text) {
     return text.empty() ? Json(nullptr) : Json(text);
   };
@@ -126,7 +126,7 @@ Json consistency_json(const Judgement& judgement) {
 }
 
 Json alternative_json(const CheckedFile& file, const Reading& reading) {
-  const Convention& before = file.judgement.convention;
+  const recording::Convention& before = file.judgement.convention;
   return {{"options", option_text(before, reading.convention)},
           {"without_inverse", before.inverse && !reading.convention.inverse},
           {"read_as", convention_json(reading.convention)},

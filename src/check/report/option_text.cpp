@@ -5,14 +5,16 @@
 
 #include <vector>
 
-#include "check/conventions/units.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::check {
+
+using recording::Convention;
 
 std::string option_text(const Convention& before, const Convention& after) {
   std::vector<std::string> options;
   if (after.columns != before.columns) {
-    options.push_back("--columns '" + format_columns(after.columns) + "'");
+    options.push_back("--columns '" + recording::format_columns(after.columns) + "'");
   }
   const bool is_stated = after.time_unit && !before.time_unit;
   if (is_stated || time_unit(after) != time_unit(before)) {

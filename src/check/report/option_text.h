@@ -2,15 +2,15 @@
 
 #include <string>
 
-#include "check/conventions/convention.h"
+#include "recording/conventions/convention.h"
 
 namespace twrench::check {
 
 /// Returns the options to add to change the first convention into the second:
 /// "--units deg --inverse".
-std::string option_text(const Convention& before, const Convention& after);
+std::string option_text(const recording::Convention& before, const recording::Convention& after);
 
 /// Returns whether both conventions have the same offset up to rounding.
-bool is_same_offset(const Convention& before, const Convention& after);
+bool is_same_offset(const recording::Convention& before, const recording::Convention& after);
 
 }  // namespace twrench::check

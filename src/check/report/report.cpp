@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/conventions/units.h"
 #include "check/report/alternative_text.h"
+#include "recording/conventions/units.h"
 #include "text/escape.h"
 
 namespace twrench::check {
@@ -18,8 +18,8 @@ std::string line(std::string_view name, const std::string& text) {
 }
 
 std::string reading_text(const Judgement& judgement) {
-  const Convention& convention = judgement.convention;
-  std::string text = format_columns(convention.columns);
+  const recording::Convention& convention = judgement.convention;
+  std::string text = recording::format_columns(convention.columns);
   if (!convention.sequence.empty()) text += ", sequence " + convention.sequence;
   if (judgement.quaternion_length != 1) {
     text += fmt::format(", quaternions of length {:.6g}", judgement.quaternion_length);

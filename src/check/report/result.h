@@ -83,7 +83,7 @@ Verdict verdict(const CheckedFile& file);
 std::string change_text(const char* format, double change);
 
 /// How the numbers of a column are written: "6 decimals", "float32 (24 bits)".
-std::string precision_text(const Resolution& resolution);
+std::string precision_text(const recording::Resolution& resolution);
 
 /// Whether a file passes: it follows the exact motion within its digits and its noise, or stays
 /// within the bounds that were set for it.

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "check/conventions/units.h"
 #include "check/report/alternative_text.h"
 #include "check/report/law_text.h"
 #include "check/report/result.h"
+#include "recording/conventions/units.h"
 
 namespace twrench::check {
 namespace {
@@ -217,7 +217,7 @@ bool is_no_rotation(const Judgement& judgement) {
 
 std::string no_rotation_text(const Judgement& judgement) {
   const char* const difference =
-      attitude_form(judgement.convention) == AttitudeForm::matrix
+      attitude_form(judgement.convention) == recording::AttitudeForm::matrix
           ? "matrices are not rotations: X^T X differs from the identity"
           : "quaternions are not of unit length: the squared length differs from 1";
   return fmt::format("its {} by up to {:.3g}; apart from that, it is ", difference,
@@ -266,7 +266,7 @@ std::string error_text(const Judgement& judgement) {
 }  // namespace
 
 RateScale rate_scale(const Judgement& judgement) {
-  const RateUnitName& name = name_of(rate_unit(judgement.convention));
+  const recording::RateUnitName& name = name_of(rate_unit(judgement.convention));
   return {1 / name.in_rad_s, name.symbol};
 }
 
@@ -324,18 +324,18 @@ std::string change_text(const char* format, double change) {
   return std::isfinite(change) ? fmt::format(fmt::runtime(format), change) : "from zero";
 }
 
-std::string precision_text(const Resolution& resolution) {
+std::string precision_text(const recording::Resolution& resolution) {
   const std::string before = resolution.converted ? " before a change of the unit" : "";
   switch (resolution.written) {
-    case NumberFormat::decimals:
+    case recording::NumberFormat::decimals:
       return fmt::format("{} decimals{}", resolution.count, before);
-    case NumberFormat::digits:
+    case recording::NumberFormat::digits:
       return fmt::format("{} significant digits{}", resolution.count, before);
-    case NumberFormat::float16:
+    case recording::NumberFormat::float16:
       return "float16 (11 bits)";
-    case NumberFormat::float32:
+    case recording::NumberFormat::float32:
       return "float32 (24 bits)";
-    case NumberFormat::float64:
+    case recording::NumberFormat::float64:
       return "all digits of a double";
   }
   return {};

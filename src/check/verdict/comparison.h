@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "check/reading/row.h"
 #include "check/verdict/error_history.h"
 #include "check/verdict/exact_rows.h"
 #include "check/verdict/flips.h"
 #include "check/verdict/noise.h"
 #include "check/verdict/problem.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
@@ -36,7 +36,7 @@ class Comparison {
   Comparison(const Reference& reference, bool has_rates, bool has_attitude);
 
   /// Takes the next rows in order of time.
-  void add(std::span<const Row> rows);
+  void add(std::span<const recording::Row> rows);
 
   std::size_t rows() const { return rows_; }
   double last_time() const { return last_time_; }
@@ -71,10 +71,10 @@ class Comparison {
   void add_to(Sums& sums, double error, double squares, double t) const;
   ErrorSize size_of(const Sums& sums, double components) const;
 
-  void add_row(const Row& row, const motion::Sample& exact);
-  double compare_rates(const Row& row, const motion::Sample& exact, Span& span);
-  void compare_attitude(const Row& row, const motion::Sample& exact, Span& span);
-  void compare_invariants(const Row& row, const Eigen::Vector3d& exact_omega);
+  void add_row(const recording::Row& row, const motion::Sample& exact);
+  double compare_rates(const recording::Row& row, const motion::Sample& exact, Span& span);
+  void compare_attitude(const recording::Row& row, const motion::Sample& exact, Span& span);
+  void compare_invariants(const recording::Row& row, const Eigen::Vector3d& exact_omega);
 
   const Reference& reference_;
   motion::ExactMotion exact_;
@@ -83,7 +83,7 @@ class Comparison {
   Eigen::Vector3d L_;  ///< in the file's space
 
   std::size_t rows_ = 0;
-  Row first_;
+  recording::Row first_;
   double last_time_ = 0, last_rate_error_ = 0, first_rate_error_ = 0;
   Sums rates_, attitude_;
   double first_energy_ = 0, energy_drift_ = 0, energy_error_ = 0;

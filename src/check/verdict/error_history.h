@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "check/reading/row.h"
 #include "check/verdict/noise.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
 /// The errors of consecutive rows.
 struct Span {
-  Row last;                   ///< the last of the rows
+  recording::Row last;        ///< the last of the rows
   double rate_error = 0;      ///< largest, rad/s
   double attitude_error = 0;  ///< largest, rad
   DifferenceSums rate_differences = {}, attitude_differences = {};

@@ -9,9 +9,9 @@ void ExactRows::evaluate(const motion::ExactMotion& exact, std::span<const doubl
 }
 
 void ExactRows::evaluate(const motion::ExactMotion& exact, double start,
-                         std::span<const Row> rows) {
+                         std::span<const recording::Row> rows) {
   times_.clear();
-  for (const Row& row : rows) times_.push_back(row.t - start);
+  for (const recording::Row& row : rows) times_.push_back(row.t - start);
   evaluate(exact, times_);
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "check/reading/row.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
@@ -17,7 +17,8 @@ class ExactRows {
   /// Evaluates the motion at `times` in s.
   void evaluate(const motion::ExactMotion& exact, std::span<const double> times);
   /// Evaluates it at the times of the rows, counted from `start` in s.
-  void evaluate(const motion::ExactMotion& exact, double start, std::span<const Row> rows);
+  void evaluate(const motion::ExactMotion& exact, double start,
+                std::span<const recording::Row> rows);
 
   Eigen::Vector3d omega(std::size_t i) const {
     return Eigen::Map<const Eigen::Vector3d>(&omega_[3 * i]);

@@ -15,6 +15,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;

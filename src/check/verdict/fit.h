@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "check/reading/row.h"
 #include "check/verdict/problem.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
@@ -31,12 +31,13 @@ inline constexpr std::size_t most_fitted_rows = 65536;
 /// phase that is off by whole turns. Throws CheckError if there are fewer than two rows, `omega`
 /// is zero or the rows do not determine the state, or if `stop`, which may be null, becomes true;
 /// its message begins with `name`, that of the recording.
-Fit fit(const std::string& name, const Eigen::Matrix3d& inertia, std::span<const Row> rows,
-        const Eigen::Vector3d& omega, bool has_rates, bool has_attitude,
-        const std::atomic<bool>* stop = nullptr);
+Fit fit(const std::string& name, const Eigen::Matrix3d& inertia,
+        std::span<const recording::Row> rows, const Eigen::Vector3d& omega, bool has_rates,
+        bool has_attitude, const std::atomic<bool>* stop = nullptr);
 
 /// Returns the angular velocity at the first row (body axes, rad/s) with which the exact motion
 /// takes the X of the first row to that of the second, by less than half a turn.
-Eigen::Vector3d omega_between(const Eigen::Matrix3d& inertia, const Row& first, const Row& second);
+Eigen::Vector3d omega_between(const Eigen::Matrix3d& inertia, const recording::Row& first,
+                              const recording::Row& second);
 
 }  // namespace twrench::check

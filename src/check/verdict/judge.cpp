@@ -8,18 +8,23 @@
 #include <numbers>
 #include <utility>
 
-#include "check/reading/informative_rows.h"
-#include "check/reading/row_reader.h"
-#include "check/reading/thinned_rows.h"
 #include "check/verdict/error.h"
 #include "check/verdict/frame.h"
 #include "check/verdict/stop.h"
 #include "check/verdict/unit_change.h"
 #include "math/rotation_between.h"
+#include "recording/informative_rows.h"
+#include "recording/row_reader.h"
+#include "recording/rows.h"
 #include "table/error.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::AttitudeForm;
+using recording::Recording;
+using recording::Row;
+using recording::RowReader;
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -42,8 +47,8 @@ void for_each_block(Reader& reader, const std::atomic<bool>* stop, const Visit& 
 /// A recording that is read in one convention.
 struct ReadRecording {
   const Recording& recording;
-  const Convention& convention;
-  bool has_rates = check::has_rates(convention);
+  const recording::Convention& convention;
+  bool has_rates = recording::has_rates(convention);
   bool has_attitude = attitude_form(convention) != AttitudeForm::none;
 
   /// Whether the initial state is fitted: as asked, or because differences of attitudes alone have
@@ -73,7 +78,7 @@ double start_of(const ReadRecording& read, const Problem& problem) {
 }
 
 Fit fitted(const ReadRecording& read, const Problem& problem) {
-  ThinnedRows thinned(most_fitted_rows);
+  recording::ThinnedRows thinned(most_fitted_rows);
   RowReader reader = read.reader();
   for_each_block(reader, problem.stop, [&](std::span<const Row> rows) {
     for (const Row& row : rows) thinned.add(row);
@@ -145,7 +150,7 @@ double digit(double printed, double scale, double deviation) {
 /// largest angles. A quaternion and Rodrigues parameters contain half the angle, the modified ones
 /// a quarter.
 double printed_angle(const RowReader& reader) {
-  const Resolution resolution = reader.attitude_resolution();
+  const recording::Resolution resolution = reader.attitude_resolution();
   switch (reader.attitude()) {
     case AttitudeForm::none:
     case AttitudeForm::matrix:
@@ -289,7 +294,8 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
 
 }  // namespace
 
-Judgement judge(const Recording& recording, const Convention& convention, const Problem& problem) {
+Judgement judge(const Recording& recording, const recording::Convention& convention,
+                const Problem& problem) {
   const ReadRecording read{recording, convention};
   std::optional<Fit> fit;
   if (read.needs_fit(problem)) fit = fitted(read, problem);

@@ -6,9 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "check/conventions/convention.h"
-#include "check/reading/recording.h"
-#include "check/reading/resolution.h"
 #include "check/verdict/comparison.h"
 #include "check/verdict/conditioning.h"
 #include "check/verdict/fit.h"
@@ -16,16 +13,19 @@
 #include "check/verdict/phase.h"
 #include "check/verdict/physics.h"
 #include "check/verdict/problem.h"
+#include "recording/conventions/convention.h"
+#include "recording/digits.h"
+#include "recording/recording.h"
 
 namespace twrench::check {
 
 /// One unit of the last digit of a file's numbers, in our units.
 struct LastDigits {
-  double rate = 0;          ///< rad/s: of the printed numbers, or of the noise if that is larger
-  double attitude = 0;      ///< rad; likewise
-  Resolution time = {};     ///< of the times, s
-  double printed_rate = 0;  ///< rad/s, of the printed numbers
-  double printed_attitude = 0;  ///< rad, likewise
+  double rate = 0;      ///< rad/s: of the printed numbers, or of the noise if that is larger
+  double attitude = 0;  ///< rad; likewise
+  recording::Resolution time = {};  ///< of the times, s
+  double printed_rate = 0;          ///< rad/s, of the printed numbers
+  double printed_attitude = 0;      ///< rad, likewise
 };
 
 /// Standard deviations of errors that are independent from row to row; 0 if there are none.
@@ -36,7 +36,7 @@ struct Noise {
 
 /// The findings about a recorded trajectory. Times are in s since the first row.
 struct Judgement {
-  Convention convention;
+  recording::Convention convention;
   bool has_rates = false, has_attitude = false;
 
   std::size_t rows = 0;
@@ -63,7 +63,7 @@ struct Judgement {
 
   Growth growth = {};  ///< of an initial error up to the last row
   LastDigits digits = {};
-  Resolution rate_resolution = {}, attitude_resolution = {};
+  recording::Resolution rate_resolution = {}, attitude_resolution = {};
   double rate_limit = 0;       ///< the resolution limit at the last row, rad/s
   double attitude_limit = 0;   ///< likewise, rad
   bool within_digits = false;  ///< whether no error is larger than the digits explain
@@ -81,7 +81,8 @@ struct Judgement {
 /// Compares a recording with the exact motion, in memory that does not grow with its length. Throws
 /// as RowReader does, table::BadTable if a unit changes between two rows, and CheckError if the
 /// initial state is not determined or cannot be fitted.
-Judgement judge(const Recording& recording, const Convention& convention, const Problem& problem);
+Judgement judge(const recording::Recording& recording, const recording::Convention& convention,
+                const Problem& problem);
 
 /// Converts a time of a judgement to the file's clock, s.
 double clock_time(const Judgement& judgement, double t);

@@ -76,8 +76,8 @@ Twist twist(const Matrix3d& R, const Vector3d& n) {
 
 /// Updates the parts with the last row of a span, by the exact motion at its time and at the time
 /// minus the delay.
-void add_row(ErrorParts& parts, const Reference& reference, const Delay& delay, const Row& row,
-             bool has_attitude) {
+void add_row(ErrorParts& parts, const Reference& reference, const Delay& delay,
+             const recording::Row& row, bool has_attitude) {
   const motion::Sample exact = delay.exact(row.t), delayed = delay.delayed(row.t);
   const auto largest = [](double& most, const Vector3d& difference) {
     most = std::max(most, difference.cwiseAbs().maxCoeff());

@@ -13,6 +13,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "check/reading/row.h"
+#include "recording/rows.h"
 
 namespace twrench::check {
 
@@ -26,17 +26,18 @@ struct Misfit {
 /// Compares rows in order of time; some tens to hundreds suffice. Uses the interval between rows
 /// with the least misfit, because short intervals suffer from rounded digits, and long ones from
 /// the errors of the program that computed the rows.
-Misfit misfit(const Eigen::Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
+Misfit misfit(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows, bool has_rates,
               bool has_attitude);
 
 /// Misfit::rates from a few pairs of rows between which the rates change clearly: enough to tell
 /// that another law or another reading is far from them, but with less margin than misfit() for
 /// digits and methods.
 std::optional<double> quick_misfit_of_rates(const Eigen::Matrix3d& inertia,
-                                            std::span<const Row> rows);
+                                            std::span<const recording::Row> rows);
 
 /// Misfit::attitude likewise, between which the body turns clearly.
 std::optional<double> quick_misfit_of_attitude(const Eigen::Matrix3d& inertia,
-                                               std::span<const Row> rows, bool has_rates);
+                                               std::span<const recording::Row> rows,
+                                               bool has_rates);
 
 }  // namespace twrench::check

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "check/conventions/units.h"
+#include "recording/conventions/units.h"
 #include "table/error.h"
 
 namespace twrench::check {
@@ -33,7 +33,7 @@ table::BadTable unit_change(const Level& level, const char* what, const char* re
 
 }  // namespace
 
-void Level::add(double value, const RowReader& reader) {
+void Level::add(double value, const recording::RowReader& reader) {
   if (!(value > 0)) return;
   if (!before_) before_ = value;
   const bool leaps = value > leap_ * *before_ || value < *before_ / leap_;
@@ -58,7 +58,7 @@ std::optional<double> Level::factor() const {
   return *after_ / *before_;
 }
 
-bool UnitWatch::next(Row& row) {
+bool UnitWatch::next(recording::Row& row) {
   if (!reader_->next(row)) return false;
   if (reader_->has_rates()) momentum_.add((inertia_ * row.omega).norm(), *reader_);
   if (last_time_) interval_.add(row.t - *last_time_, *reader_);
@@ -68,11 +68,13 @@ bool UnitWatch::next(Row& row) {
 
 void UnitWatch::require_one_unit() const {
   const auto of_momentum = momentum_.factor(), of_interval = interval_.factor();
-  if (of_momentum && is_between_units(*of_momentum, rate_units(), &RateUnitName::in_rad_s)) {
+  if (of_momentum &&
+      is_between_units(*of_momentum, recording::rate_units(), &recording::RateUnitName::in_rad_s)) {
     throw unit_change(momentum_, "the angular momentum",
                       "convert the rates to one unit, or give each unit a file");
   }
-  if (of_interval && is_between_units(*of_interval, common_time_units(), &TimeUnitName::in_s)) {
+  if (of_interval && is_between_units(*of_interval, recording::common_time_units(),
+                                      &recording::TimeUnitName::in_s)) {
     throw unit_change(interval_, "the time between rows",
                       "convert the times to one unit, or give each unit a file");
   }

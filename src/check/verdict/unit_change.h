@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "check/reading/row_reader.h"
+#include "recording/row_reader.h"
 
 namespace twrench::check {
 
@@ -15,7 +15,7 @@ class Level {
   Level(double leap, double spread) : leap_(leap), spread_(spread) {}
 
   /// Adds the value at the row that `reader` read last.
-  void add(double value, const RowReader& reader);
+  void add(double value, const recording::RowReader& reader);
 
   /// The factor by which the quantity changes at place(); nothing if it does not change, or not for
   /// long.
@@ -34,17 +34,17 @@ class Level {
 /// changes by the ratio of two units and stays changed.
 class UnitWatch {
  public:
-  UnitWatch(RowReader& reader, const Eigen::Matrix3d& inertia)
+  UnitWatch(recording::RowReader& reader, const Eigen::Matrix3d& inertia)
       : reader_(&reader), inertia_(inertia) {}
 
   /// Reads the next row, as RowReader::next() does.
-  bool next(Row& row);
+  bool next(recording::Row& row);
 
   /// Throws table::BadTable if a unit changes; the error names the row where that begins.
   void require_one_unit() const;
 
  private:
-  RowReader* reader_;
+  recording::RowReader* reader_;
   Eigen::Matrix3d inertia_;
   // A radian is 57 degrees, a revolution 6.3 radians, and a minute 60 s. Errors change |L| slowly.
   Level momentum_{4, 1.5}, interval_{30, 3};

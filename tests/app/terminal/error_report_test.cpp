@@ -6,9 +6,9 @@
 #include <string>
 
 #include "canvas/error.h"
-#include "check/reading/column_error.h"
 #include "gl/error.h"
 #include "plot/gnuplot.h"
+#include "recording/columns/columns.h"
 #include "system/error.h"
 #include "video/error.h"
 
@@ -101,11 +101,11 @@ TEST(ErrorReport, OtherRemediesThatTakeAnOptionNameIt) {
   EXPECT_THAT(remedy_for(system::ExistingFileError("v.mp4", "b")),
               HasSubstr("--overwrite replaces it"));
   EXPECT_EQ(remedy_for(system::OverwriteError("v.mp4", "b", "rename it")), "rename it");
-  EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "wz", "b", "its columns are: t, p")),
+  EXPECT_EQ(remedy_for(recording::ColumnError("run.csv", "wz", "b", "its columns are: t, p")),
             "--columns wz=NAME names it; its columns are: t, p");
-  EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "wx=x,wy=y,wz=z", "b")),
+  EXPECT_EQ(remedy_for(recording::ColumnError("run.csv", "wx=x,wy=y,wz=z", "b")),
             "if they are meant, add --columns 'wx=x,wy=y,wz=z'");
-  EXPECT_EQ(remedy_for(check::ColumnError("run.csv", "", "b", "its columns are: t, p")),
+  EXPECT_EQ(remedy_for(recording::ColumnError("run.csv", "", "b", "its columns are: t, p")),
             "--columns t=NAME,wx=NAME,wy=NAME,wz=NAME names them; its columns are: t, p");
 }
 

@@ -8,14 +8,16 @@
 #include <array>
 #include <filesystem>
 
-#include "check/conventions/units.h"
-#include "check/reading/open_conventions.h"
 #include "check/recordings.h"
+#include "recording/columns/open_conventions.h"
+#include "recording/conventions/units.h"
 #include "sanitizers.h"
 #include "table/reader.h"
 
 namespace twrench::check {
 namespace {
+
+using recording::Row;
 
 using Eigen::Matrix3d;
 using Eigen::Quaterniond;
@@ -56,8 +58,8 @@ class QuaternionFile {
     return alternatives(Recording(path()), problem, told(has_attitude)).fitting;
   }
 
-  static Convention told(bool has_attitude = true) {
-    Convention told;
+  static recording::Convention told(bool has_attitude = true) {
+    recording::Convention told;
     told.columns = {{"t", "t"}, {"wx", "wx"}, {"wy", "wy"}, {"wz", "wz"}};
     if (has_attitude)
       told.columns.merge(
@@ -93,7 +95,7 @@ TEST(Alternatives, BodyFromSpaceInDegrees) {
   const auto fitting = file.fitting();
   ASSERT_THAT(fitting, SizeIs(1));
   EXPECT_TRUE(fitting[0].convention.inverse);
-  EXPECT_EQ(fitting[0].convention.rate_unit, RateUnit::deg_s);
+  EXPECT_EQ(fitting[0].convention.rate_unit, recording::RateUnit::deg_s);
   EXPECT_FALSE(fitting[0].convention.rates_in_space);
 }
 
@@ -126,8 +128,8 @@ TEST(Alternatives, RatesInSpace) {
 // Every unit of times with every unit of rates; the file is read in s and rad/s.
 TEST(Alternatives, UnitsOfTimesAndRates) {
   if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
-  for (const TimeUnitName& time : common_time_units()) {
-    for (const RateUnitName& rate : rate_units()) {
+  for (const recording::TimeUnitName& time : recording::common_time_units()) {
+    for (const recording::RateUnitName& rate : recording::rate_units()) {
       const QuaternionFile file([&](const Row& row) {
         Written written = as_told(row);
         written.t /= time.in_s;
@@ -135,7 +137,7 @@ TEST(Alternatives, UnitsOfTimesAndRates) {
         return written;
       });
       if (time.in_s * rate.in_rad_s == 1) continue;
-      for (const bool has_attitude : {false, time.unit == TimeUnit::ms}) {
+      for (const bool has_attitude : {false, time.unit == recording::TimeUnit::ms}) {
         const auto fitting = file.fitting(has_attitude);
         ASSERT_FALSE(fitting.empty()) << time.option << rate.option;
         // Only the product is determined: revolutions per minute with times in minutes are
@@ -162,7 +164,7 @@ TEST(Alternatives, UnitsOfTimesAndRates) {
 // ones.
 TEST(Alternatives, AxesOfTheBody) {
   if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
-  for (const BodyAxes& axes : all_body_axes()) {
+  for (const recording::BodyAxes& axes : recording::all_body_axes()) {
     const Matrix3d P = axes.matrix();
     const QuaternionFile file([&](const Row& row) {
       const Matrix3d X = P.determinant() * row.X * P.transpose();
@@ -207,7 +209,7 @@ TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
     system::write_file_atomically(folder / "rows.csv", csv_of(exact_rows(), Parts::both));
     const Problem problem{.inertia = told.asDiagonal()};
     for (const Parts parts : {Parts::rates, Parts::both}) {
-      const Recording recording(folder / "rows.csv");
+      const recording::Recording recording(folder / "rows.csv");
       const Judgement judgement = judge(recording, own_names(parts), problem);
       const Alternatives found = better_readings(recording, problem, judgement);
       ASSERT_THAT(found.laws.of_rates, SizeIs(1)) << told.transpose();
@@ -223,7 +225,7 @@ TEST(BetterReadings, FindTheMomentsOfAnotherBody) {
 Alternatives better_readings_of(const std::vector<Row>& rows) {
   const ScratchFolder folder;
   system::write_file_atomically(folder / "rows.csv", csv_of(rows, Parts::rates));
-  const Recording recording(folder / "rows.csv");
+  const recording::Recording recording(folder / "rows.csv");
   return better_readings(recording, tumbling_problem(),
                          judge(recording, own_names(Parts::rates), tumbling_problem()));
 }
@@ -264,7 +266,7 @@ TEST(Alternatives, DoNotContradictTheFile) {
                         row.omega[2]);
   }
   system::write_file_atomically(folder / "file.csv", text);
-  const auto open = conventions(table::open_table(folder / "file.csv")->header(), {});
+  const auto open = recording::conventions(table::open_table(folder / "file.csv")->header(), {});
   ASSERT_THAT(open, SizeIs(1));
   EXPECT_THAT(alternatives(Recording(folder / "file.csv"), tumbling_problem(), open[0]).fitting,
               IsEmpty());

@@ -11,6 +11,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -70,7 +72,7 @@ TEST(Variation, IsTheLargerOneOfMomentumAndEnergy) {
 }
 
 TEST(OnlyFitting, IsNoneWhereTwoFit) {
-  const Convention convention;
+  const recording::Convention convention;
   const Reading good{convention, {0.01, {}}}, bad{convention, {0.9, {}}};
   EXPECT_TRUE(only_fitting({bad, good, bad}));
   EXPECT_FALSE(only_fitting({bad, good, good}));

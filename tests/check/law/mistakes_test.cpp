@@ -14,6 +14,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Vector3d;
 using testing::IsEmpty;
 using testing::SizeIs;

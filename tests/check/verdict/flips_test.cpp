@@ -10,6 +10,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Vector3d;
 using testing::ElementsAre;
 

@@ -16,6 +16,8 @@
 namespace twrench::check {
 namespace {
 
+using recording::Row;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -240,9 +242,9 @@ TEST(Judge, LetsRoundedEulerAnglesPass) {
   }
   const ScratchFolder folder;
   system::write_file_atomically(folder / "euler.csv", text);
-  Convention convention = own_names(Parts::rates);
+  recording::Convention convention = own_names(Parts::rates);
   for (const char* name : {"yaw", "pitch", "roll"}) convention.columns[name] = name;
-  convention.rate_unit = RateUnit::deg_s;
+  convention.rate_unit = recording::RateUnit::deg_s;
   convention.sequence = "zyx";
   const Judgement judgement =
       judge(Recording(folder / "euler.csv"), convention, tumbling_problem());

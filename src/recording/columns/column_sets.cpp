@@ -1,0 +1,208 @@
+#include "recording/columns/column_sets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/letters.h"
+#include "recording/columns/column_words.h"
+#include "recording/columns/columns.h"
+#include "recording/columns/stated_unit.h"
+#include "recording/columns/summed_times.h"
+
+namespace twrench::recording {
+namespace {
+
+/// The columns of one group, by component.
+struct Group {
+  std::vector<std::vector<std::size_t>> columns;
+  bool in_space = false, is_open = false, is_weak = false;
+};
+
+std::size_t present(const Group& group) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(group.columns, [](const auto& of_one) { return !of_one.empty(); }));
+}
+
+bool is_complete(const Group& group) { return present(group) == group.columns.size(); }
+
+/// Throws if two columns could be the same component.
+std::vector<std::size_t> require_single(const table::Header& header, Kind kind,
+                                        const Group& group) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < group.columns.size(); ++i) {
+    const std::vector<std::size_t>& of_one = group.columns[i];
+    if (of_one.size() > 1) {
+      const std::string& ours = names_of(kind)[i];
+      throw ColumnError(header.file, ours,
+                        fmt::format("two columns could be {}: '{}' (#{}) and '{}' (#{})", ours,
+                                    header.names[of_one[0]], of_one[0] + 1, header.names[of_one[1]],
+                                    of_one[1] + 1),
+                        fmt::format("#{} or #{} is meant", of_one[0] + 1, of_one[1] + 1));
+    }
+    columns.push_back(of_one.front());
+  }
+  return columns;
+}
+
+/// The columns that have our own names.
+Group find_ours(const table::Header& header, Kind kind) {
+  Group group;
+  for (const std::string& name : names_of(kind)) {
+    std::vector<std::size_t>& of_one = group.columns.emplace_back();
+    for (std::size_t column = 0; column < header.names.size(); ++column) {
+      if (to_lower(header.names[column]) == name) of_one.push_back(column);
+    }
+  }
+  return group;
+}
+
+/// The columns that are a part of a time that is a sum of two columns.
+std::set<std::size_t> terms_of_sums(const table::Header& header) {
+  std::set<std::size_t> terms;
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    if (const auto pair = terms_of(header, column)) terms.insert({pair->first, pair->second});
+  }
+  return terms;
+}
+
+/// Calendar times and sums of two columns are times whatever their names are.
+std::map<std::string, Group> find_times(const table::Header& header) {
+  std::map<std::string, Group> groups;
+  const std::set<std::size_t> terms = terms_of_sums(header);
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    const bool is_composed =
+        header.calendar_of(column) != table::Calendar::none || terms_of(header, column);
+    if (terms.contains(column) || is_composed) continue;
+    for (const Role& role : roles_of(words_of(header.names[column]), Kind::time)) {
+      Group& group = groups[role.group];
+      group.columns.resize(1);
+      group.columns[0].push_back(column);
+    }
+  }
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    const table::Calendar calendar = header.calendar_of(column);
+    const bool is_calendar =
+        calendar == table::Calendar::date_time || calendar == table::Calendar::time_of_day;
+    const bool is_composed = is_calendar || terms_of(header, column);
+    if (is_composed && !terms.contains(column))
+      groups[fmt::format("#{}", column)].columns = {{column}};
+  }
+  return groups;
+}
+
+std::map<std::string, Group> find_groups(const table::Header& header, Kind kind) {
+  if (kind == Kind::time) return find_times(header);
+  std::map<std::string, Group> groups;
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    for (const Role& role : roles_of(words_of(header.names[column]), kind)) {
+      Group& group = groups[role.group];
+      group.columns.resize(names_of(kind).size());
+      group.columns[role.component].push_back(column);
+      group.in_space = role.in_space;
+      group.is_open = role.is_open;
+      group.is_weak = role.is_weak;
+    }
+  }
+  return groups;
+}
+
+/// Throws if most of a group is present and the rest is missing: it was probably forgotten, or its
+/// names are written differently.
+void require_no_rest(const table::Header& header, Kind kind,
+                     const std::map<std::string, Group>& groups) {
+  const std::size_t all = names_of(kind).size();
+  const std::size_t most = all == 9 ? 6 : all - 1;
+  for (const auto& [name, group] : groups) {
+    // Single letters and numbers often mean something else, so they are no evidence.
+    const bool is_evidence = !group.is_open && !group.is_weak && !name.starts_with("pqr") &&
+                             !name.starts_with("0") && !name.starts_with("1") &&
+                             !name.starts_with("one");
+    if (all == 1 || !is_evidence || present(group) < most) continue;
+    std::vector<std::string> found;
+    std::string missing;
+    for (std::size_t i = 0; i < all; ++i) {
+      const auto& of_one = group.columns[i];
+      if (of_one.empty()) missing = names_of(kind)[i];
+      if (!of_one.empty()) found.push_back("'" + header.names[of_one.front()] + "'");
+    }
+    throw ColumnError(header.file, missing,
+                      fmt::format("it has {}, but nothing for {}", fmt::join(found, ", "), missing),
+                      columns_remedy(header));
+  }
+}
+
+}  // namespace
+
+std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns) {
+  std::vector<ColumnSet> sets{{kind, columns}};
+  if (kind == Kind::quaternion) {
+    sets.push_back({kind, {columns[3], columns[0], columns[1], columns[2]}});
+  }
+  if (kind == Kind::euler) sets.push_back({kind, {columns[2], columns[1], columns[0]}});
+  if (kind == Kind::matrix) {
+    std::vector<std::size_t> transposed;
+    for (std::size_t i = 0; i < 9; ++i) transposed.push_back(columns[3 * (i % 3) + i / 3]);
+    sets.push_back({kind, transposed});
+  }
+  return sets;
+}
+
+std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
+  if (const Group ours = find_ours(header, kind); is_complete(ours)) {
+    return {{kind, require_single(header, kind, ours), false}};
+  }
+  const std::map<std::string, Group> groups = find_groups(header, kind);
+  std::vector<ColumnSet> sets;
+  for (const auto& [name, group] : groups) {
+    if (!is_complete(group)) continue;
+    const std::vector<std::size_t> columns = require_single(header, kind, group);
+    if (group.is_open) {
+      std::ranges::move(orders_of(kind, columns), std::back_inserter(sets));
+    } else {
+      sets.push_back({kind, columns, group.in_space, group.is_weak});
+    }
+  }
+  if (sets.empty()) require_no_rest(header, kind, groups);
+  return sets;
+}
+
+std::vector<ColumnSet> find_bare_rates(const table::Header& header) {
+  using Words = std::vector<std::string>;
+  const std::vector<std::vector<Words>> names{
+      {{"x"}, {"y"}, {"z"}}, {{"xyz", "0"}, {"xyz", "1"}, {"xyz", "2"}}, {{"gx"}, {"gy"}, {"gz"}}};
+  std::vector<ColumnSet> sets;
+  for (const std::vector<Words>& components : names) {
+    Group group;
+    for (const Words& words : components) {
+      std::vector<std::size_t>& of_one = group.columns.emplace_back();
+      for (std::size_t column = 0; column < header.names.size(); ++column) {
+        if (words_of(header.names[column]) == words) of_one.push_back(column);
+      }
+    }
+    if (is_complete(group)) {
+      sets.push_back({Kind::rates, require_single(header, Kind::rates, group), false});
+    }
+  }
+  return sets;
+}
+
+std::string columns_remedy(const table::Header& header) {
+  constexpr std::size_t most = 60, longest = 60;
+  std::vector<std::string> names;
+  for (const std::string& name : header.names) {
+    if (names.size() == most) break;
+    names.push_back(name.substr(0, longest));
+  }
+  const std::size_t more = header.names.size() - names.size();
+  return fmt::format("its columns are: {}{}", fmt::join(names, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+}  // namespace twrench::recording

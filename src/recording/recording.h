@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "recording/columns/summed_times.h"
+#include "recording/conventions/convention.h"
+#include "recording/row_reader.h"
+#include "table/reader.h"
+
+namespace twrench::recording {
+
+/// Rows of a table as numbers, which a convention gives a meaning.
+struct RowSample {
+  table::Header header;
+  std::vector<std::size_t> columns;
+  std::vector<std::vector<table::Number>> rows;
+  std::vector<std::string> places;  ///< of the rows in the table, for messages
+};
+
+/// A recorded motion: the rows of a table, which is opened once and may be read several times and
+/// in several conventions. Only the first rows stay in memory. Copies share the table; no two
+/// threads may read it at once.
+class Recording {
+ public:
+  explicit Recording(std::unique_ptr<table::Reader> table)
+      : table_(with_summed_times(std::move(table))) {}
+  /// Opens a file. Throws what table::open_table throws.
+  explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {}
+
+  const table::Header& header() const { return table_->header(); }
+  /// The path of the file, or the name that messages give to a table in memory.
+  const std::string& name() const { return header().file; }
+
+  /// Begins a pass over all rows, which ends the one before. Throws as RowReader does.
+  RowReader rows(const Convention& convention) const { return {table_, convention}; }
+
+  /// The first rows, up to 4096, with at least these columns. They are read again only for other
+  /// columns, which ends a pass over the rows. Throws as table::Reader does.
+  const RowSample& first_rows(const std::vector<std::size_t>& columns) const;
+
+ private:
+  std::shared_ptr<table::Reader> table_;
+  mutable RowSample first_rows_;
+};
+
+}  // namespace twrench::recording
