@@ -15,15 +15,16 @@
 
 #include "base/enumeration.h"
 #include "check/report/checked_file.h"
-#include "check/report/convention_texts.h"
 #include "check/report/report.h"
 #include "comparison/report.h"
 #include "comparison/request.h"
 #include "comparison/update.h"
+#include "errors.h"
 #include "interruptible.h"
 #include "module.h"
 #include "output.h"
 #include "plot/check_plot.h"
+#include "recording/conventions/fields.h"
 #include "scene/limits.h"
 #include "system/file.h"
 #include "table/reader.h"
@@ -33,20 +34,23 @@ namespace {
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
-using OptionTexts = std::map<std::string, std::string>;
+/// The values of the fields of a convention that the caller gives, by their names.
+using Given = std::map<std::string, std::variant<bool, std::string, Eigen::Vector4d>>;
 
-recording::Convention convention_of(const OptionTexts& texts, bool inverse,
-                                    const std::optional<Eigen::Vector4d>& offset) {
-  recording::Convention convention =
-      check::parse_convention({.columns = texts.at("columns"),
-                               .time_unit = texts.at("time_unit"),
-                               .units = texts.at("units"),
-                               .angle_units = texts.at("angle_units"),
-                               .sequence = texts.at("sequence"),
-                               .rates = texts.at("rates"),
-                               .axes = texts.at("axes"),
-                               .inverse = inverse});
-  if (offset) convention.offset = scene::limits::check_rotation("offset", *offset);
+recording::Convention convention_of(const Given& given) {
+  recording::Convention convention;
+  for (const recording::Field& field : recording::convention_fields()) {
+    const auto found = given.find(field.name);
+    if (found == given.end()) continue;
+    if (const auto* flag = std::get_if<bool>(&found->second)) {
+      field.set(convention, *flag);
+    } else if (const auto* text = std::get_if<std::string>(&found->second)) {
+      field.set(convention, *text);
+    } else {
+      const auto& numbers = std::get<Eigen::Vector4d>(found->second);
+      field.set(convention, scene::limits::check_rotation(field.name, numbers));
+    }
+  }
   return convention;
 }
 
@@ -68,7 +72,8 @@ struct CheckReports {
 };
 
 CheckReports reports_of(const check::CheckResult& result) {
-  return {check::check_json(result), check::check_text(result), check::check_junit(result)};
+  return {check::check_json(result, argument_text), check::check_text(result, argument_text),
+          check::check_junit(result, argument_text)};
 }
 
 void draw_check(const system::OutputFile& plot, const check::CheckResult& result) {
@@ -105,9 +110,8 @@ std::function<recording::Recording()> opener_of(const Source& source) {
 std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
     const std::vector<Source>& sources, const std::vector<double>& steps,
     const Eigen::Matrix3d& inertia, const std::optional<Eigen::Vector3d>& omega,
-    std::optional<double> omega_time, bool fit, const OptionTexts& texts, bool inverse,
-    const std::optional<Eigen::Vector4d>& offset, const std::map<std::string, double>& bounds,
-    const Output* plot) {
+    std::optional<double> omega_time, bool fit, const std::string& frame, const Given& given,
+    const std::map<std::string, double>& bounds, const Output* plot) {
   std::vector<std::function<recording::Recording()>> openers;
   for (const Source& source : sources) openers.push_back(opener_of(source));
   if (plot != nullptr) plot::require_gnuplot(plot->file.format());
@@ -116,8 +120,8 @@ std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
   if (omega) problem.omega = scene::limits::check_omega("omega", *omega);
   problem.omega_time = omega_time;
   problem.fit = fit;
-  problem.frame = find_enumerator<check::FrameSource>(texts.at("frame"), "frame");
-  const recording::Convention convention = convention_of(texts, inverse, offset);
+  problem.frame = find_enumerator<check::FrameSource>(frame, "frame");
+  const recording::Convention convention = convention_of(given);
   const check::Bounds most = bounds_of(bounds);
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     problem.stop = &stop;

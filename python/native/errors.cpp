@@ -6,10 +6,13 @@
 
 #include <system_error>
 
+#include "base/argument.h"
 #include "canvas/error.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/error.h"
+#include "recording/conventions/convention.h"
+#include "recording/conventions/names.h"
 #include "text/escape.h"
 #include "video/error.h"
 
@@ -95,14 +98,66 @@ void set_exception(const char* type, const std::string& message, const std::stri
   PyErr_SetObject(exception.ptr(), value.ptr());
 }
 
+/// A text as Python writes it.
+std::string in_quotes(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '\'';
+}
+
+/// "{'t': 'time', 'wx': 'p'}"
+std::string dictionary(std::string_view columns) {
+  const std::map<std::string, std::string> named = recording::parse_columns(columns, "columns");
+  std::string text;
+  for (const std::string& ours : recording::all_names()) {
+    const auto column = named.find(ours);
+    if (column == named.end()) continue;
+    text += (text.empty() ? "{" : ", ") + in_quotes(ours) + ": " + in_quotes(column->second);
+  }
+  return text + '}';
+}
+
+/// "[1, 0, 0, 0]"
+std::string list(std::string_view numbers) {
+  std::string text = "[";
+  for (const char c : numbers) text += c == ',' ? std::string(", ") : std::string(1, c);
+  return text + ']';
+}
+
+std::string in_capitals(std::string_view axes) {
+  std::string capitals;
+  for (const char axis : axes) capitals += static_cast<char>('X' + (axis - 'x'));
+  return capitals;
+}
+
+bool is_number(std::string_view text) {
+  return text.find_first_not_of("+-.0123456789e") == std::string_view::npos;
+}
+
 }  // namespace
+
+std::string argument_text(std::string_view name, std::string_view value) {
+  if (value.empty()) return std::string(name) + (name == "fit" || name == "inverse" ? "=True" : "");
+  if (name == "inertia") return fmt::format("body=Body(moments={})", list(value));
+  std::string text = std::string(name) + '=';
+  if (name == "columns") return text + dictionary(value);
+  if (name == "offset") return text + list(value);
+  if (is_number(value)) return text.append(value);
+  // Capitals are axes that turn with the body, as the program's always do.
+  return fmt::format("{}\"{}\"", text,
+                     name == "sequence" ? in_capitals(value) : std::string(value));
+}
 
 void register_errors() {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Error& error) {
-      set_exception(type_of(error), error.what(), remedy_of(error));
+      set_exception(type_of(error), with_arguments(error.what(), argument_text),
+                    with_arguments(remedy_of(error), argument_text));
     } catch (const std::system_error& error) {
       set_exception("FileError", fmt::format("the system refused: {}", error.what()), {});
     }

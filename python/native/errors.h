@@ -2,6 +2,9 @@
 
 #include <twrench/base/error.h>
 
+#include <string>
+#include <string_view>
+
 namespace twrench::python {
 
 /// A value that a scene cannot have: twrench.SceneError.
@@ -18,6 +21,9 @@ auto on_scene(Work work) {
     throw SceneError(error);
   }
 }
+
+/// Words an argument that a library mentions as one of Python: units="deg".
+std::string argument_text(std::string_view name, std::string_view value);
 
 /// Makes errors of the libraries reach Python as the exceptions of twrench.errors.
 void register_errors();

@@ -323,9 +323,8 @@ def check(
     omega: _Array | None,
     omega_time: float | None,
     fit: bool,
-    options: dict[str, str],
-    inverse: bool,
-    offset: _Array | None,
+    frame: str,
+    convention: dict[str, str | bool | _Array],
     bounds: dict[str, float],
     plot: Output | None,
 ) -> tuple[CheckReports, list[CheckReports]]: ...

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
-from .errors import UsageError, argument_names, as_arguments
+from .errors import UsageError
 from .motion import Motion
 from .names import Numbers, StrPath
 from .published import case as published_case
@@ -87,7 +87,8 @@ class Check:
     flips: list[tuple[float | None, float | None]]
     #: The factor by which the motion amplifies an error of its start.
     condition: float
-    #: The complete output of ``twrench check --format json``.
+    #: All results, as ``twrench check --format json`` prints them, with the names of arguments for
+    #: those of options.
     details: dict[str, Any] = field(repr=False)
     #: The report for people, as ``twrench check`` prints it.
     text: str = field(repr=False)
@@ -252,22 +253,28 @@ def check(
     :raises Error: if gnuplot is needed, but is missing or fails.
     """
     inertia, start = _problem(body, case, omega)
-    turn = None
-    if offset is not None:
-        turn = _arguments.array("offset", offset, (4,), "a quaternion (w, x, y, z)")
+    convention: dict[str, str | bool | Array] = {"inverse": bool(inverse)}
     of_array = None
-    if columns is not None and not isinstance(columns, Mapping):
+    if isinstance(columns, Mapping):
+        convention["columns"] = _columns_text(columns)
+    elif columns is not None:
         of_array = _arguments.sequence("columns", columns, "a mapping or a list of names")
-    options = {
-        "columns": _columns_text(columns) if isinstance(columns, Mapping) else "",
-        "time_unit": _name("time_unit", time_unit),
-        "units": _name("units", units),
-        "angle_units": _name("angle_units", angle_units),
-        "sequence": "" if sequence is None else _sequence_of_program(sequence),
-        "rates": _arguments.text("rates", rates),
-        "axes": _name("axes", axes),
-        "frame": _arguments.text("frame", frame),
+    words = {
+        "time_unit": time_unit,
+        "units": units,
+        "angle_units": angle_units,
+        "rates": rates,
+        "axes": axes,
     }
+    for name, word in words.items():
+        if word is not None:
+            convention[name] = _arguments.text(name, word)
+    if sequence is not None:
+        convention["sequence"] = _sequence_of_program(sequence)
+    if offset is not None:
+        convention["offset"] = _arguments.array(
+            "offset", offset, (4,), "a quaternion (w, x, y, z)"
+        )
     is_first = isinstance(omega_at, str) and omega_at == "first"
     at = None if is_first else _arguments.number("omega_at", omega_at)
     bounds = {
@@ -287,33 +294,29 @@ def check(
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
     sources = [_source_of(*named, of_array) for named in zip(names, recordings)]
-    with argument_names():
-        figure = None
-        if plot is not None:
-            path = Path(_arguments.path("plot", plot))
-            inputs = [Path(source) for source in sources if isinstance(source, str)]
-            figure = _native.Output("plot", path, inputs, bool(overwrite), "")
-        of_all, of_each = _native.check(
-            sources,
-            lengths,
-            inertia,
-            start,
-            at,
-            bool(fit),
-            options,
-            bool(inverse),
-            turn,
-            given,
-            figure,
-        )
+    figure = None
+    if plot is not None:
+        path = Path(_arguments.path("plot", plot))
+        inputs = [Path(source) for source in sources if isinstance(source, str)]
+        figure = _native.Output("plot", path, inputs, bool(overwrite), "")
+    of_all, of_each = _native.check(
+        sources,
+        lengths,
+        inertia,
+        start,
+        at,
+        bool(fit),
+        _arguments.text("frame", frame),
+        convention,
+        given,
+        figure,
+    )
     results = [_result(reports) for reports in of_each]
     if not isinstance(data, (list, tuple)):
         return results[0]
     order = {"rates": None, "attitude": None, "why_not": None}
     if len(results) > 1:
         order = json.loads(of_all.json)["order"]
-        if order["why_not"] is not None:
-            order["why_not"] = as_arguments(order["why_not"])
     return Checks(results, CheckOrder(**order), of_all.text, of_all.junit)
 
 
@@ -350,10 +353,6 @@ def _sequence_of_program(sequence: str) -> str:
             f"exchange the first and the third angle, and use {axes.upper()!r}",
         )
     return axes[::-1]
-
-
-def _name(name: str, value: str | None) -> str:
-    return "" if value is None else _arguments.text(name, value)
 
 
 def _columns_text(columns: Mapping[str, str]) -> str:
@@ -457,7 +456,7 @@ def _result(reports: _native.CheckReports) -> Check:
     return Check(
         passes=found["passes"],
         finding=found["finding"],
-        verdict=as_arguments(found["verdict"]),
+        verdict=found["verdict"],
         rows=found["rows"],
         rates=size("rates"),
         attitude=size("attitude"),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal, Sequence
 
 from . import _arguments, _native
-from .errors import UsageError, argument_names
+from .errors import UsageError
 from .names import StrPath
 
 __all__ = ["Comparison", "FrameComparison", "compare"]
@@ -103,21 +103,20 @@ def compare(
                 f"ignore: must be rectangles (x, y, width, height), not {_arguments.brief(area)}"
             )
         areas.append([_arguments.whole("ignore", number, 0, 2**31 - 1) for number in area])
-    with argument_names():
-        document, text, junit = _native.compare(
-            _arguments.path("expected", expected),
-            _arguments.path("actual", actual),
-            _arguments.text("metric", metric),
-            _arguments.whole("threshold", threshold, 0, 255),
-            _arguments.within("share", share, 0, 1),
-            _arguments.within("min_ssim", min_ssim, -1, 1),
-            _arguments.whole("edges", edges, 0, 16),
-            areas,
-            "" if diff is None else _arguments.path("diff", diff),
-            "" if report is None else _arguments.path("report", report),
-            bool(update),
-            bool(overwrite),
-        )
+    document, text, junit = _native.compare(
+        _arguments.path("expected", expected),
+        _arguments.path("actual", actual),
+        _arguments.text("metric", metric),
+        _arguments.whole("threshold", threshold, 0, 255),
+        _arguments.within("share", share, 0, 1),
+        _arguments.within("min_ssim", min_ssim, -1, 1),
+        _arguments.whole("edges", edges, 0, 16),
+        areas,
+        "" if diff is None else _arguments.path("diff", diff),
+        "" if report is None else _arguments.path("report", report),
+        bool(update),
+        bool(overwrite),
+    )
     frames = [
         FrameComparison(
             name=frame["file"],

@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from . import _arguments, _native, plots
 from ._arguments import Array
 from .body import Body
-from .errors import FileError, SceneError, UsageError, argument_names
+from .errors import FileError, SceneError, UsageError
 from .film import Film, Picture, Progress, frame_range, quality, reporting
 from .motion import Motion, simulate
 from .names import (
@@ -661,15 +661,14 @@ class Scene:
         :raises OverwriteError: if another file would be replaced.
         """
         name = "" if format is None else _arguments.text("format", format)
-        with argument_names():
-            output = self._output("export", path, overwrite, format=name)
-            notes = _native.export_motion(
-                self._snapshot(),
-                output,
-                _arguments.positive("max_angle", max_angle),
-                None if speed is None else _arguments.positive("speed", speed),
-                _arguments.text("epoch", epoch),
-            )
+        output = self._output("export", path, overwrite, format=name)
+        notes = _native.export_motion(
+            self._snapshot(),
+            output,
+            _arguments.positive("max_angle", max_angle),
+            None if speed is None else _arguments.positive("speed", speed),
+            _arguments.text("epoch", epoch),
+        )
         for note in notes:
             warnings.warn(note, stacklevel=2)
         return output.path
@@ -820,8 +819,7 @@ def write_report(
         for scene in scenes
     ]
     author, date = _arguments.text("author", author), _arguments.text("date", date)
-    with argument_names():
-        notes = _native.report(reported, output, author, date, bool(static), solves_tasks)
+    notes = _native.report(reported, output, author, date, bool(static), solves_tasks)
     for note in notes:
         warnings.warn(note, stacklevel=3)
     return output.path

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/argument.h"
 #include "comparison/page.h"
 #include "image/png.h"
 #include "system/file.h"
@@ -57,16 +58,17 @@ OutputFiles output_files(const Request& request, const Inputs& inputs) {
       files.add_input(inputs.actual_frame(frame.name));
     }
   }
-  const auto add = [&](const char* option, const std::string& file,
+  const auto add = [&](const char* name, const std::string& file,
                        const system::OutputKind& kind) -> std::optional<system::OutputFile> {
     if (file == "-") {
-      throw InvalidArgument(option, "standard output is used for the results", "name a file");
+      throw InvalidArgument(argument(name), "standard output is used for the results",
+                            "name a file");
     }
     if (file.empty()) return std::nullopt;
     return files.add_output(kind, file);
   };
-  return {add("--diff", request.difference, system::difference_picture),
-          add("--report", request.page, system::comparison_page)};
+  return {add("diff", request.difference, system::difference_picture),
+          add("report", request.page, system::comparison_page)};
 }
 
 Comparison compare_two_files(const Request& request, const Inputs& files,
@@ -99,8 +101,8 @@ Comparison compare(const Request& request,
                    const std::function<void(int done, int total)>& progress) {
   const Inputs inputs = inputs_of(request);
   if (inputs.folders && !request.difference.empty()) {
-    throw InvalidArgument("--diff", "it is for two files",
-                          "--report FILE.html shows the differences of folders");
+    throw InvalidArgument(argument("diff"), "it is for two files",
+                          argument("report", "FILE.html") + " shows the differences of folders");
   }
   const OutputFiles files = output_files(request, inputs);
   std::optional<system::Output> page;  // opened before the work, which may take minutes

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/argument.h"
 #include "interchange/aem.h"
 #include "interchange/gltf_scene.h"
 
@@ -50,7 +51,8 @@ std::vector<std::string> write_gltf(const ExportOptions& options, const scene::S
 std::vector<std::string> write_attitude_ephemeris(const ExportOptions& options,
                                                   const scene::Scene& scene, const Write& write) {
   const RegularTimes times(scene);
-  write_aem(scene, parse_epoch(options.epoch, "--epoch"), program, times.size(), times, write);
+  write_aem(scene, parse_epoch(options.epoch, argument("epoch")), program, times.size(), times,
+            write);
   return {};
 }
 

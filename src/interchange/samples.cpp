@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/argument.h"
 #include "base/parallel.h"
 #include "motion/visible_error.h"
 #include "scene/limits.h"
@@ -166,12 +167,12 @@ class RowWriter {
   bool is_first_ = true;  ///< Whether nothing has been written yet.
 };
 
-/// Suggests --fps only if its limit allows the rate.
+/// Suggests a rate only if its limit allows the rate.
 std::string remedy_for_samples(double duration) {
   const double rate = 0.9 * scene::limits::max_frames / duration;  // leaves room for rounding
-  if (rate > scene::limits::fps.high) return "use a shorter --duration";
-  return fmt::format("use --fps {:.4g} or less, or a shorter --duration",
-                     std::max(rate, scene::limits::fps.low));
+  if (rate > scene::limits::fps.high) return "use a shorter " + argument("duration");
+  const std::string fps = fmt::format("{:.4g}", std::max(rate, scene::limits::fps.low));
+  return fmt::format("use {} or less, or a shorter {}", argument("fps", fps), argument("duration"));
 }
 
 }  // namespace

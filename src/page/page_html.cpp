@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "base/argument.h"
 #include "base/enumeration.h"
 #include "embedded/page.h"
 #include "page/page_json.h"
@@ -122,7 +123,7 @@ void require_shown(const scene::Scene& scene) {
   };
   if (!scene.motion.attitude && std::ranges::none_of(scene.shots, begins_turned)) return;
   throw InvalidArgument("attitude", "a page begins with X(0) = Id",
-                        "leave it out; for a report, use --static");
+                        "leave it out; for a report, use " + argument("static"));
 }
 
 PageDocument page_html(const std::string& page_template, const PageScene& scene,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/argument.h"
 #include "base/letters.h"
 #include "base/nearest.h"
 
@@ -136,7 +137,7 @@ const OutputFormat& format_of(const OutputKind& kind, const std::filesystem::pat
   if (!name.empty()) {
     std::vector<std::string> names;
     for (const OutputFormat& format : kind.formats) names.emplace_back(format.name);
-    throw unknown_name("--format", name, names);
+    throw unknown_name(argument("format"), name, names);
   }
   if (ending.empty() && kind.choice == Choice::by_default) return kind.formats.front();
   if (is_stream && kind.choice == Choice::by_ending) return kind.formats.front();
@@ -144,7 +145,8 @@ const OutputFormat& format_of(const OutputKind& kind, const std::filesystem::pat
     if (!ending.empty() && has_ending(format, ending)) return format;
   }
   if (is_stream && kind.choice == Choice::by_name) {
-    throw InvalidArgument("--format", "is needed for standard output, which has no file extension",
+    throw InvalidArgument(argument("format"),
+                          "is needed for standard output, which has no file extension",
                           "give " + listed_names(kind));
   }
   const std::string last = file.filename().string();
@@ -154,10 +156,11 @@ const OutputFormat& format_of(const OutputKind& kind, const std::filesystem::pat
                             "name a file, such as out" + last);
     }
   }
-  throw InvalidArgument(what, "its name must end in " + listed_endings(kind),
-                        kind.choice == Choice::by_name
-                            ? "choose another name, or the format: --format " + listed_names(kind)
-                            : "choose another name");
+  throw InvalidArgument(
+      what, "its name must end in " + listed_endings(kind),
+      kind.choice == Choice::by_name
+          ? "choose another name, or the format: " + argument("format") + " " + listed_names(kind)
+          : "choose another name");
 }
 
 bool is_written_in(const OutputFormat& format, const std::filesystem::path& file) {

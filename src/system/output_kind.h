@@ -29,8 +29,8 @@ struct OutputKind {
   std::span<const OutputFormat> formats;
   /// How the format is chosen for a file without an ending, and for standard output.
   enum class Choice {
-    by_default,  ///< By --format, or the default.
-    by_name,     ///< By --format, which is needed then.
+    by_default,  ///< By its name, or the default.
+    by_name,     ///< By its name, which is needed then.
     by_ending,   ///< A name must have an ending; standard output gets the default.
     files_only,  ///< A name must have an ending; standard output is refused.
   };

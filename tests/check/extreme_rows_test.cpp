@@ -29,7 +29,8 @@ std::string report_of(const std::string& csv, const Problem& problem) {
   try {
     const CheckResult result = check_files(
         1, [&](std::size_t) { return recording::Recording(file); }, {}, {}, problem, {});
-    return check_text(result) + check_json(result) + check_junit(result);
+    const auto by_name = [](std::string_view name, std::string_view) { return std::string(name); };
+    return check_text(result, by_name) + check_json(result, by_name) + check_junit(result, by_name);
   } catch (const Error& error) {
     return std::string("error: ") + error.what();
   }

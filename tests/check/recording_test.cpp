@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/argument.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/recordings.h"
 #include "check/report/choice.h"
@@ -114,7 +115,7 @@ TEST(Recording, NamesTheOptionOfTheUnitOfTimesThatFits) {
     choose_convention(recording, {}, tumbling_problem());
     ADD_FAILURE() << "it chose";
   } catch (const InvalidArgument& error) {
-    EXPECT_THAT(error.remedy(), testing::HasSubstr("add --time-unit ms"));
+    EXPECT_THAT(error.remedy(), testing::HasSubstr("add " + argument("time_unit", "ms")));
   }
 }
 

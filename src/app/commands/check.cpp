@@ -51,8 +51,9 @@ std::vector<double> given_steps(const CheckOptions& options) {
 }
 
 std::string report(std::string_view format, const check::CheckResult& result) {
-  if (format == "json") return check::check_json(result);
-  return format == "junit" ? check::check_junit(result) : check::check_text(result);
+  if (format == "json") return check::check_json(result, option_text);
+  return format == "junit" ? check::check_junit(result, option_text)
+                           : check::check_text(result, option_text);
 }
 
 void draw(const system::OutputFile& file, const check::CheckResult& result) {
@@ -68,8 +69,9 @@ ExitCode answer(const check::CheckResult& result, bool no_fail) {
   for (const check::CheckedFile& file : result.files) {
     for (const check::CheckBound& bound : file.bounds) {
       if (!bound.is_exceeded()) continue;
-      say("twrench: check: {}: {} {} was exceeded: {}{}{}\n", file.name, bound.option, bound.most,
-          check::change_text("{:.6g}", bound.value), bound.unit.empty() ? "" : " ", bound.unit);
+      say("twrench: check: {}: {} {} was exceeded: {}{}{}\n", file.name,
+          option_text(bound.argument, {}), bound.most, check::change_text("{:.6g}", bound.value),
+          bound.unit.empty() ? "" : " ", bound.unit);
     }
   }
   const bool all_pass = std::ranges::all_of(result.files, check::passes);

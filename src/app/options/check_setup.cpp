@@ -1,17 +1,14 @@
 #include "app/options/check_setup.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <span>
-#include <vector>
 
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
 #include "app/options/scene_options.h"
+#include "app/terminal/message.h"
 #include "base/enumeration.h"
-#include "recording/conventions/units.h"
 #include "scene/interior.h"
 #include "scene/limits.h"
 #include "scene/mesh_scene.h"
@@ -20,19 +17,6 @@
 
 namespace twrench::app {
 namespace {
-
-template <typename Name>
-void add_unit_option(CLI::App& command, const std::string& option, std::string& text,
-                     const std::string& description, std::span<const Name> units,
-                     const std::string& otherwise) {
-  std::vector<std::string> names;
-  for (const Name& unit : units) names.emplace_back(unit.option);
-  command.add_option(option, text, fmt::format("{}: {}", description, fmt::join(names, ", ")))
-      ->check(one_of(option, names))
-      ->type_name("UNIT")
-      ->default_str(otherwise)
-      ->group(heading(OptionGroup::data));
-}
 
 /// The unit of a mesh does not matter, because only the ratios of the moments do.
 scene::Scene mesh_scene(const std::string& file) try {
@@ -79,47 +63,26 @@ void CheckSetup::add_options(CLI::App& command) {
       ->type_name("FROM")
       ->capture_default_str()
       ->group(heading(OptionGroup::data));
-  command
-      .add_option(
-          "--columns", texts_.columns,
-          "the file's columns for t, wx wy wz, lx ly lz, x11 to x33, qw qx qy qz, yaw pitch roll, "
-          "rvx rvy rvz, axisx axisy axisz angle, mrpx mrpy mrpz, gibbsx gibbsy gibbsz")
-      ->type_name("t=NAME,wx=NAME,...")
-      ->default_str("by their names")
-      ->group(heading(OptionGroup::data));
-  add_unit_option(command, "--time-unit", texts_.time_unit, "unit of times",
-                  recording::time_units(), "what the file says, else s");
-  add_unit_option(command, "--units", texts_.units,
-                  "unit of angles and, a second, of rates; rpm of rates alone",
-                  recording::rate_units(), "what the file says, else rad");
-  add_unit_option(command, "--angle-units", texts_.angle_units, "unit of Euler angles alone",
-                  recording::angle_units(), "what the file says, else that of --units");
-  command
-      .add_option("--sequence", texts_.sequence,
-                  "axes of Euler angles in the order of the rotations")
-      ->type_name("AXES")
-      ->group(heading(OptionGroup::data));
-  command
-      .add_flag("--inverse", texts_.inverse, "the attitude is body from space, not space from body")
-      ->group(heading(OptionGroup::data));
-  command.add_option("--rates", texts_.rates, "the axes of the rates: body or space")
-      ->check(one_of("--rates", {"body", "space"}))
-      ->type_name("AXES")
-      ->capture_default_str()
-      ->group(heading(OptionGroup::data));
-  command
-      .add_option("--axes", texts_.axes,
-                  "the body's axes along which the file's x, y and z point, such as x,-z,y")
-      ->type_name("X,Y,Z")
-      ->default_str("x,y,z")
-      ->group(heading(OptionGroup::data));
-  command
-      .add_option(
-          "--offset", offset_,
-          "the attitude is that of a part: the quaternion, scalar first, that takes its axes to "
-          "the body's")
-      ->type_name("W,X,Y,Z")
-      ->group(heading(OptionGroup::data));
+  for (const recording::Field& field : recording::convention_fields()) add_option(command, field);
+}
+
+void CheckSetup::add_option(CLI::App& command, const recording::Field& field) {
+  const std::string name = option_text(field.name, {});
+  switch (field.form) {
+    case recording::FieldForm::unasked:
+      return;
+    case recording::FieldForm::flag:
+      command.add_flag(name, flags_[field.name], field.help)->group(heading(OptionGroup::data));
+      return;
+    case recording::FieldForm::text:
+    case recording::FieldForm::rotation:
+      break;
+  }
+  CLI::Option* option = command.add_option(name, texts_[field.name], field.help)
+                            ->type_name(field.placeholder)
+                            ->default_str(field.otherwise)
+                            ->group(heading(OptionGroup::data));
+  if (!field.words.empty()) option->check(one_of(name, field.words));
 }
 
 const scene::Scene& CheckSetup::scene() const {
@@ -181,9 +144,19 @@ check::Problem CheckSetup::problem() const {
 }
 
 recording::Convention CheckSetup::convention() const {
-  recording::Convention given = check::parse_convention(texts_);
-  if (!offset_.empty()) {
-    given.offset = scene::limits::check_rotation("--offset", parse_quaternion(offset_, "--offset"));
+  recording::Convention given;
+  for (const recording::Field& field : recording::convention_fields()) {
+    const auto flag = flags_.find(field.name);
+    if (flag != flags_.end() && flag->second) field.set(given, true);
+    const auto text = texts_.find(field.name);
+    if (text == texts_.end() || text->second.empty()) continue;
+    if (field.form == recording::FieldForm::rotation) {
+      const std::string name = option_text(field.name, {});
+      const Eigen::Vector4d numbers = parse_quaternion(text->second, name);
+      field.set(given, scene::limits::check_rotation(name, numbers));
+    } else {
+      field.set(given, text->second);
+    }
   }
   return given;
 }

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "app/options/command_line.h"
 #include "cases/case.h"
-#include "check/report/convention_texts.h"
 #include "check/verdict/problem.h"
+#include "recording/conventions/fields.h"
 #include "scene/scene.h"
 
 namespace twrench::app {
@@ -29,6 +30,7 @@ class CheckSetup {
   void add_inputs(system::FileList& files) const;
 
  private:
+  void add_option(CLI::App& command, const recording::Field& field);
   Eigen::Matrix3d inertia() const;
   /// Returns the case named by --case, if any. Throws InvalidArgument if another option also gives
   /// the body or the initial rates.
@@ -38,8 +40,9 @@ class CheckSetup {
 
   std::string inertia_, scene_name_, case_name_, omega_, omega_at_ = "0", frame_ = "first";
   bool fit_ = false;
-  check::ConventionTexts texts_;
-  std::string offset_;
+  // The fields of the convention, by their names.
+  std::map<std::string, std::string> texts_;
+  std::map<std::string, bool> flags_;
   mutable std::optional<scene::Scene> scene_;  ///< Set by scene().
 };
 

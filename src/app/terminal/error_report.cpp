@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "app/terminal/message.h"
+#include "base/argument.h"
 #include "canvas/error.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
@@ -83,7 +84,7 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
 
 std::string remedy_for_columns(const recording::ColumnError& error) {
   if (!error.suggested().empty()) {
-    return fmt::format("if they are meant, add --columns '{}'", error.suggested());
+    return "if they are meant, add " + option_text("columns", error.suggested());
   }
   const std::string& ours = error.column();
   return fmt::format("--columns {}=NAME names {}; {}",
@@ -148,7 +149,7 @@ ExitCode exit_code_of(const Error& error) {
 ExitCode report(const Error& error) {
   // As other programs in a pipe, it ends in silence.
   if (is<system::ClosedPipe>(error)) return ExitCode::closed_pipe;
-  return report(exit_code_of(error), error.what(), remedy_for(error));
+  return report(exit_code_of(error), with_arguments(error.what(), option_text), remedy_for(error));
 }
 
 /// How the command could use less memory.
@@ -189,7 +190,7 @@ bool is_of_the_system(const std::system_error& error) {
 std::string remedy_for(const Error& error) {
   if (const auto* gl = as<gl::GlError>(error)) return remedy_for_gl(*gl);
   if (const auto* columns = as<recording::ColumnError>(error)) return remedy_for_columns(*columns);
-  if (!error.remedy().empty()) return error.remedy();
+  if (!error.remedy().empty()) return with_arguments(error.remedy(), option_text);
   if (const auto* motion = as<motion::MotionError>(error))
     return remedy_for_motion(motion->reason());
   if (const auto* check = as<check::CheckError>(error)) return remedy_for_check(check->reason());

@@ -1,5 +1,6 @@
 #include "app/terminal/message.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,20 @@ std::function<void(std::size_t, std::size_t)> progress_lines(const std::string& 
     next = Clock::now() + pause;
     say("twrench: {}: {} % is done{}\n", command, 100 * done / total, advice);
   };
+}
+
+std::string option_text(std::string_view name, std::string_view value) {
+  std::string text = "--" + std::string(name);
+  std::ranges::replace(text, '_', '-');
+  if (value.empty()) return text;
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.,+-/";
+  if (value.find_first_not_of(plain) == std::string_view::npos) {
+    return text.append(1, ' ').append(value);
+  }
+  text += " '";  // as a shell quotes it
+  for (const char c : value) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + '\'';
 }
 
 void warn(const std::string& text, bool as_json) {

@@ -46,6 +46,9 @@ void say(fmt::format_string<T...> format, const T&... values) {
 std::function<void(std::size_t done, std::size_t total)> progress_lines(
     const std::string& command, const std::string& advice = "");
 
+/// Words an argument that a library mentions as an option: "--columns 't=time'".
+std::string option_text(std::string_view name, std::string_view value);
+
 /// Writes a warning: plain text, or with `as_json` a JSON object on one line.
 void warn(const std::string& text, bool as_json = false);
 

@@ -6,6 +6,7 @@
 
 #include "recording/columns/columns.h"
 #include "recording/columns/stated_unit.h"
+#include "recording/conventions/fields.h"
 #include "recording/conventions/units.h"
 
 namespace twrench::check {
@@ -145,11 +146,9 @@ std::vector<Units> unit_readings(const table::Header& header, const Convention& 
 }
 
 int count_changes(const Convention& before, const Convention& after) {
-  return (before.columns != after.columns) + (before.sequence != after.sequence) +
-         (time_unit(before) != time_unit(after)) + (rate_unit(before) != rate_unit(after)) +
-         (angle_unit(before) != angle_unit(after)) + (before.negated != after.negated) +
-         (before.inverse != after.inverse) + (before.rates_in_space != after.rates_in_space) +
-         (before.axes != after.axes) + (before.offset.has_value() != after.offset.has_value());
+  return static_cast<int>(std::ranges::count_if(
+      recording::convention_fields(),
+      [&](const recording::Field& field) { return !agree(field, before, after); }));
 }
 
 }  // namespace twrench::check

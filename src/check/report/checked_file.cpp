@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/argument.h"
 #include "check/report/choice.h"
 #include "check/verdict/error.h"
 #include "recording/columns/unread_columns.h"
@@ -17,30 +18,30 @@ namespace {
 using recording::Convention;
 
 /// Throws InvalidArgument: the bound is for a quantity that the file does not have.
-[[noreturn]] void refuse_bound(const std::string& option, const std::string& file,
+[[noreturn]] void refuse_bound(const std::string& name, const std::string& file,
                                const char* missing) {
-  throw InvalidArgument(option,
+  throw InvalidArgument(argument(name),
                         fmt::format("{} has no {} to compare with the bound", file, missing),
-                        "leave the option out");
+                        "leave it out");
 }
 
 std::vector<CheckBound> applied(const Bounds& given, const std::string& file,
                                 const Judgement& judgement) {
   std::vector<CheckBound> bounds;
   if (given.attitude_error) {
-    const std::string name = "--max-attitude-error";
+    const std::string name = "max_attitude_error";
     if (!judgement.attitude) refuse_bound(name, file, "attitude");
     bounds.push_back({name, "deg", *given.attitude_error, degrees(judgement.attitude->max)});
   }
   if (given.rate_error) {
-    const std::string name = "--max-rate-error";
+    const std::string name = "max_rate_error";
     const RateScale unit = rate_scale(judgement);
     if (!judgement.rates) refuse_bound(name, file, "rates");
     bounds.push_back(
         {name, unit.symbol, *given.rate_error, judgement.rates->max * unit.per_radian});
   }
   if (given.energy_drift) {
-    const std::string name = "--max-energy-drift";
+    const std::string name = "max_energy_drift";
     bounds.push_back({name, "", *given.energy_drift, judgement.energy_drift});
   }
   return bounds;
@@ -78,9 +79,9 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
   const auto [least, most] = std::ranges::minmax_element(files, {}, &CheckedFile::step);
   constexpr double alike = 1.01;
   if (most->step <= alike * least->step) {
-    return has_steps
-               ? "the step sizes that --steps gives are the same"
-               : "the files have the same time between rows; give their step sizes with --steps";
+    return has_steps ? "the step sizes that " + argument("steps") + " gives are the same"
+                     : "the files have the same time between rows; give their step sizes with " +
+                           argument("steps");
   }
   const auto end = [](const CheckedFile& file) {
     return clock_time(file.judgement, file.judgement.duration);
@@ -125,7 +126,7 @@ CheckResult check_files(std::size_t count, const std::function<Recording(std::si
                         const std::vector<double>& steps, const Convention& given,
                         const Problem& problem, const Bounds& bounds) {
   if (!steps.empty() && steps.size() != count) {
-    throw InvalidArgument("--steps",
+    throw InvalidArgument(argument("steps"),
                           fmt::format("has {} step sizes for {} files", steps.size(), count));
   }
   CheckResult result;

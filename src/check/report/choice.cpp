@@ -15,10 +15,10 @@
 #include "check/hypotheses/hypotheses.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/hypotheses/readings.h"
-#include "check/report/option_text.h"
 #include "recording/columns/columns.h"
 #include "recording/columns/open_conventions.h"
 #include "recording/columns/stated_unit.h"
+#include "recording/conventions/fields.h"
 #include "recording/conventions/names.h"
 #include "recording/time_choice.h"
 #include "table/reader.h"
@@ -65,27 +65,16 @@ std::string fit_text(const table::Header& header, const Convention& convention) 
   return "only one of them fits the physics";
 }
 
-/// The options that select `one` of the open conventions, for the aspects in which these differ.
-std::string choice_text(const Convention& said, const std::vector<Convention>& open,
-                        const Convention& one) {
-  Convention before = one;
-  const auto differ = [&](auto aspect) {
-    return std::ranges::any_of(
-        open, [&](const Convention& other) { return other.*aspect != one.*aspect; });
-  };
-  const auto take_back = [&](auto aspect) {
-    if (differ(aspect)) before.*aspect = said.*aspect;
-  };
-  take_back(&Convention::columns);
-  take_back(&Convention::time_unit);
-  take_back(&Convention::rate_unit);
-  take_back(&Convention::angle_unit);
-  take_back(&Convention::sequence);
-  take_back(&Convention::inverse);
-  take_back(&Convention::rates_in_space);
-  take_back(&Convention::axes);
-  take_back(&Convention::offset);
-  return option_text(before, one);
+/// The arguments that select `one` of the open conventions: the fields in which these differ.
+std::string choice_text(const std::vector<Convention>& open, const Convention& one) {
+  std::vector<std::string> mentions;
+  for (const recording::Field& field : recording::convention_fields()) {
+    const bool is_open = std::ranges::any_of(
+        open, [&](const Convention& other) { return !agree(field, other, one); });
+    const std::string text = mention(field, one);
+    if (is_open && !text.empty()) mentions.push_back(text);
+  }
+  return fmt::format("{}", fmt::join(mentions, " "));
 }
 
 /// Whether the conventions differ only in the order of a quaternion q0, q1, q2, q3, and this one
@@ -109,25 +98,24 @@ bool is_usual_order(const table::Header& header, const std::vector<Convention>& 
 std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
   const bool is_unit_alone = std::ranges::all_of(open, [&](Convention convention) {
     convention.time_unit = open.front().time_unit;
-    return option_text(open.front(), convention).empty();
+    return changing_arguments(open.front(), convention).empty();
   });
   if (!is_unit_alone || time_unit(open.front()) != recording::TimeUnit::s) return std::nullopt;
   return open.front();
 }
 
-InvalidArgument ambiguous(const table::Header& header, const Convention& said,
-                          const std::vector<Convention>& open,
+InvalidArgument ambiguous(const table::Header& header, const std::vector<Convention>& open,
                           const std::optional<Reading>& fitting) {
   const std::string why = fmt::format("its columns can be read in {} ways", open.size());
   if (fitting) {
     return {header.file, why,
             fmt::format("{}: add {}", fit_text(header, fitting->convention),
-                        choice_text(said, open, fitting->convention))};
+                        choice_text(open, fitting->convention))};
   }
   constexpr std::size_t most = 8;
   std::vector<std::string> ways;
   for (const Convention& convention : open) {
-    if (ways.size() < most) ways.push_back(choice_text(said, open, convention));
+    if (ways.size() < most) ways.push_back(choice_text(open, convention));
   }
   return {
       header.file, why,
@@ -170,7 +158,7 @@ Convention choose_convention(const recording::Recording& recording, const Conven
   if (fitting && is_usual_order(header, open, fitting->convention)) return fitting->convention;
   if (!fitting) fitting = unexpected(recording, problem, open);
   if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;
-  throw ambiguous(header, given, open, fitting);
+  throw ambiguous(header, open, fitting);
 }
 
 }  // namespace twrench::check

@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
+#include "base/argument.h"
 #include "base/enumeration.h"
-#include "check/report/option_text.h"
 #include "check/report/report.h"
-#include "recording/conventions/units.h"
+#include "recording/conventions/fields.h"
 
 namespace twrench::check {
 namespace {
@@ -34,25 +34,23 @@ Json flips_json(const Judgement& judgement) {
   return list;
 }
 
-Json convention_json(const recording::Convention& convention) {
-  const auto text_or_null = [](const std::string& text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-  };
-  Json offset = nullptr;
-  if (convention.offset) {
-    const Eigen::Quaterniond& q = *convention.offset;
-    offset = {q.w(), q.x(), q.y(), q.z()};
+Json value_json(const recording::FieldValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* columns = std::get_if<std::map<std::string, std::string>>(&value))
+    return *columns;
+  if (const auto* q = std::get_if<Eigen::Quaterniond>(&value)) {
+    return {q->w(), q->x(), q->y(), q->z()};
   }
-  return {{"columns", convention.columns},
-          {"time_unit", name_of(time_unit(convention)).option},
-          {"units", name_of(rate_unit(convention)).option},
-          {"angle_units", name_of(angle_unit(convention)).option},
-          {"sequence", text_or_null(convention.sequence)},
-          {"negated", text_or_null(convention.negated)},
-          {"inverse", convention.inverse},
-          {"rates", convention.rates_in_space ? "space" : "body"},
-          {"axes", format_body_axes(convention.axes)},
-          {"offset", offset}};
+  const auto* word = std::get_if<std::string>(&value);
+  return word == nullptr || word->empty() ? Json(nullptr) : Json(*word);
+}
+
+Json convention_json(const recording::Convention& convention) {
+  Json json;
+  for (const recording::Field& field : recording::convention_fields()) {
+    json[field.name] = value_json(field.value(convention));
+  }
+  return json;
 }
 
 Json fit_json(const Judgement& judgement, double factor) {
@@ -127,7 +125,7 @@ Json consistency_json(const Judgement& judgement) {
 
 Json alternative_json(const CheckedFile& file, const Reading& reading) {
   const recording::Convention& before = file.judgement.convention;
-  return {{"options", option_text(before, reading.convention)},
+  return {{"options", changing_arguments(before, reading.convention)},
           {"without_inverse", before.inverse && !reading.convention.inverse},
           {"read_as", convention_json(reading.convention)},
           {"misfit", nullable(reading.misfit.worst())}};
@@ -188,7 +186,7 @@ Json precision_json(const Judgement& judgement) {
 Json bounds_json(const CheckedFile& file) {
   Json list = Json::array();
   for (const CheckBound& bound : file.bounds) {
-    list.push_back({{"option", bound.option},
+    list.push_back({{"option", argument(bound.argument)},
                     {"unit", bound.unit.empty() ? Json(nullptr) : Json(bound.unit)},
                     {"most", bound.most},
                     {"value", bound.value},
@@ -240,9 +238,16 @@ Json file_json(const CheckedFile& file) {
           {"verdict", found.text}};
 }
 
+/// Words the arguments in all texts.
+void word_arguments(Json& json, const ArgumentWording& wording) {
+  if (json.is_string()) json = with_arguments(json.get_ref<const std::string&>(), wording);
+  if (!json.is_structured()) return;
+  for (Json& element : json) word_arguments(element, wording);
+}
+
 }  // namespace
 
-std::string check_json(const CheckResult& result) {
+std::string check_json(const CheckResult& result, const ArgumentWording& wording) {
   Json document;
   if (result.files.size() == 1) {
     document = file_json(result.files.front());
@@ -255,6 +260,7 @@ std::string check_json(const CheckResult& result) {
         {"attitude", nullable(orders.attitude)},
         {"why_not", orders.why_not.empty() ? Json(nullptr) : Json(orders.why_not)}};
   }
+  word_arguments(document, wording);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

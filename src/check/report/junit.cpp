@@ -9,33 +9,34 @@
 namespace twrench::check {
 namespace {
 
-std::string bound_case(const CheckedFile& file, const CheckBound& bound) {
-  const std::string start =
-      fmt::format("    <testcase classname=\"{}\" name=\"{} {:.6g}{}{}\"",
-                  text::escape_xml(file.name), text::escape_xml(bound.option.substr(2)), bound.most,
-                  bound.unit.empty() ? "" : " ", text::escape_xml(bound.unit));
+std::string bound_case(const CheckedFile& file, const CheckBound& bound,
+                       const std::string& verdict_text) {
+  std::string name = bound.argument;
+  std::ranges::replace(name, '_', '-');
+  const std::string start = fmt::format(
+      "    <testcase classname=\"{}\" name=\"{} {:.6g}{}{}\"", text::escape_xml(file.name), name,
+      bound.most, bound.unit.empty() ? "" : " ", text::escape_xml(bound.unit));
   if (!bound.is_exceeded()) return start + "/>\n";
   return fmt::format(
       "{}>\n      <failure type=\"exceeded\" message=\"{}{}{}: {}\"/>\n    </testcase>\n", start,
       change_text("{:.6g}", bound.value), bound.unit.empty() ? "" : " ",
-      text::escape_xml(bound.unit), text::escape_xml(verdict(file).text));
+      text::escape_xml(bound.unit), verdict_text);
 }
 
 /// Without bounds, the only test case is whether the file follows the motion.
-std::string follows_case(const CheckedFile& file) {
+std::string follows_case(const CheckedFile& file, const std::string& verdict_text) {
   const std::string start =
       fmt::format("    <testcase classname=\"{}\" name=\"follows the exact motion\"",
                   text::escape_xml(file.name));
   if (passes(file)) return start + "/>\n";
-  const Verdict found = verdict(file);
   return fmt::format("{}>\n      <failure type=\"{}\" message=\"{}\"/>\n    </testcase>\n", start,
-                     enumerator_name(found.finding), text::escape_xml(found.text));
+                     enumerator_name(verdict(file).finding), verdict_text);
 }
 
-std::string cases(const CheckedFile& file) {
-  if (file.bounds.empty()) return follows_case(file);
+std::string cases(const CheckedFile& file, const std::string& verdict_text) {
+  if (file.bounds.empty()) return follows_case(file, verdict_text);
   std::string text;
-  for (const CheckBound& bound : file.bounds) text += bound_case(file, bound);
+  for (const CheckBound& bound : file.bounds) text += bound_case(file, bound, verdict_text);
   return text;
 }
 
@@ -46,23 +47,24 @@ std::size_t failures(const CheckedFile& file) {
   return static_cast<std::size_t>(std::ranges::count_if(file.bounds, &CheckBound::is_exceeded));
 }
 
-std::string suite(const CheckedFile& file) {
+std::string suite(const CheckedFile& file, const ArgumentWording& wording) {
+  const std::string verdict_text = text::escape_xml(with_arguments(verdict(file).text, wording));
   return fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n{}"
       "    <system-out>{}</system-out>\n  </testsuite>\n",
-      text::escape_xml(file.name), tests(file), failures(file), cases(file),
-      text::escape_xml(verdict(file).text));
+      text::escape_xml(file.name), tests(file), failures(file), cases(file, verdict_text),
+      verdict_text);
 }
 
 }  // namespace
 
-std::string check_junit(const CheckResult& result) {
+std::string check_junit(const CheckResult& result, const ArgumentWording& wording) {
   std::size_t all = 0, failed = 0;
   std::string suites;
   for (const CheckedFile& file : result.files) {
     all += tests(file);
     failed += failures(file);
-    suites += suite(file);
+    suites += suite(file, wording);
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

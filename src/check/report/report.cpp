@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/argument.h"
 #include "check/report/alternative_text.h"
-#include "recording/conventions/units.h"
+#include "recording/conventions/fields.h"
 #include "text/escape.h"
 
 namespace twrench::check {
@@ -20,18 +21,14 @@ std::string line(std::string_view name, const std::string& text) {
 std::string reading_text(const Judgement& judgement) {
   const recording::Convention& convention = judgement.convention;
   std::string text = recording::format_columns(convention.columns);
-  if (!convention.sequence.empty()) text += ", sequence " + convention.sequence;
   if (judgement.quaternion_length != 1) {
     text += fmt::format(", quaternions of length {:.6g}", judgement.quaternion_length);
   }
-  if (convention.inverse) text += ", body from space";
-  if (convention.rates_in_space) text += ", rates in space axes";
-  if (convention.time_unit)
-    text += fmt::format(", times in {}", name_of(*convention.time_unit).option);
-  if (convention.axes != BodyAxes()) {
-    text += ", axes " + format_body_axes(convention.axes);
+  recording::Convention plain;
+  plain.columns = convention.columns;
+  for (const recording::Field& field : recording::convention_fields()) {
+    if (!agree(field, plain, convention)) text += "; " + field.statement(convention);
   }
-  if (convention.offset) text += ", attitude of a part that is turned in the body";
   return text;
 }
 
@@ -76,8 +73,8 @@ std::string unread_text(const CheckedFile& file) {
   const std::size_t shown = std::min(most, file.unread.size());
   const std::vector<std::string> first(file.unread.begin(),
                                        file.unread.begin() + static_cast<std::ptrdiff_t>(shown));
-  return fmt::format("{}{}; if they are an attitude, --columns names it", joined(first, ", "),
-                     shown < file.unread.size() ? " ..." : "");
+  return fmt::format("{}{}; if they are an attitude, {} names it", joined(first, ", "),
+                     shown < file.unread.size() ? " ..." : "", argument("columns"));
 }
 
 std::string size_text(const Judgement& judgement, const std::optional<ErrorSize>& size,
@@ -209,26 +206,27 @@ std::string bounds_text(const CheckedFile& file) {
   for (const CheckBound& bound : file.bounds) {
     text += line(
         bound.is_exceeded() ? "exceeded" : "held",
-        fmt::format("{} {:.6g}{}{}: {}", bound.option, bound.most, bound.unit.empty() ? "" : " ",
-                    bound.unit, change_text("{:.6g}", bound.value)));
+        fmt::format("{} {:.6g}{}{}: {}", argument(bound.argument), bound.most,
+                    bound.unit.empty() ? "" : " ", bound.unit, change_text("{:.6g}", bound.value)));
   }
   return text;
 }
 
-std::string file_text(const CheckedFile& file) {
+std::string file_text(const CheckedFile& file, const ArgumentWording& wording) {
   const Judgement& judgement = file.judgement;
   const RateScale unit = rate_scale(judgement);
   return fmt::format("{}: {} rows, {} to {} s\n", text::escape(file.name), judgement.rows,
                      clock_text(judgement, 0), clock_text(judgement, judgement.duration)) +
          line("read as", text::escape(reading_text(judgement))) +
-         line("not read", text::escape(unread_text(file))) +
+         line("not read", text::escape(with_arguments(unread_text(file), wording))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
          line("rate error", size_text(judgement, judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement, judgement.attitude, degrees(1), "deg")) +
          line("drift", drift_text(judgement)) + line("phase", phase_text(judgement)) +
          line("amplitude", amplitude_text(judgement)) + flips_text(judgement) +
          line("conditioning", conditioning_text(judgement)) + line("noise", noise_text(judgement)) +
-         bounds_text(file) + line("verdict", text::escape(verdict(file).text));
+         with_arguments(bounds_text(file), wording) +
+         line("verdict", text::escape(with_arguments(verdict(file).text, wording)));
 }
 
 std::string orders_text(const CheckResult& result) {
@@ -243,11 +241,11 @@ std::string orders_text(const CheckResult& result) {
 
 }  // namespace
 
-std::string check_text(const CheckResult& result) {
+std::string check_text(const CheckResult& result, const ArgumentWording& wording) {
   std::string text;
   for (const CheckedFile& file : result.files)
-    text += file_text(file) + (result.files.size() > 1 ? "\n" : "");
-  return text + orders_text(result);
+    text += file_text(file, wording) + (result.files.size() > 1 ? "\n" : "");
+  return text + with_arguments(orders_text(result), wording);
 }
 
 }  // namespace twrench::check

@@ -11,8 +11,8 @@ namespace twrench::check {
 
 /// A bound that was set for a file, and the value that it limits.
 struct CheckBound {
-  std::string option;  ///< "--max-rate-error"
-  std::string unit;    ///< of both numbers; empty if they are relative
+  std::string argument;  ///< its name, "max_rate_error"
+  std::string unit;      ///< of both numbers; empty if they are relative
   double most;
   double value;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/argument.h"
 #include "check/report/alternative_text.h"
 #include "check/report/law_text.h"
 #include "check/report/result.h"
@@ -182,8 +183,8 @@ std::string beginning_text(const CheckedFile& file) {
   if (file.other_start) {
     const Reference& reference = file.other_start->reference;
     const Eigen::Vector3d omega = reference.body.omega() * unit.per_radian;
-    fitted = fmt::format("; --fit finds {:.6g},{:.6g},{:.6g} {} at {} s", omega[0], omega[1],
-                         omega[2], unit.symbol, clock_text(judgement, reference.start));
+    fitted = fmt::format("; {} finds {:.6g},{:.6g},{:.6g} {} at {} s", argument("fit"), omega[0],
+                         omega[1], omega[2], unit.symbol, clock_text(judgement, reference.start));
   }
   return fmt::format(
       "starts from another state: its first row is already off by {:.3g} {}, which grows to "
@@ -240,7 +241,7 @@ std::string noise_verdict_text(const Judgement& judgement) {
       "off "
       "by up to {}{}",
       joined(noise, " and "), sizes_text(judgement),
-      judgement.fit ? "" : "; the noise of the first row grows with time: use --fit");
+      judgement.fit ? "" : "; the noise of the first row grows with time: use " + argument("fit"));
 }
 
 /// The verdict on a body that is at rest at first.
