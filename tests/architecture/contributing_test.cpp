@@ -75,7 +75,8 @@ TEST(Contributing, NamesWhatIsInTheFilesOfItsStep) {
   EXPECT_GT(identifiers, 20);
 }
 
-constexpr std::array recipe_names{"method", "shape", "overlay", "view", "theme", "output format", "convention"};
+constexpr std::array recipe_names{"method", "shape",         "overlay",   "view",
+                                  "theme",  "output format", "convention"};
 
 /// Returns the recipe below a heading such as "### Add a method", or nothing if there is none.
 std::string recipe_of(const std::string& name) {

@@ -106,3 +106,15 @@ def test_the_scene_is_listed_after_its_neighbour_and_drawn(tmp_path: Path) -> No
 def test_a_page_has_them_all(tmp_path: Path) -> None:
     run("page", SCENE, "-o", tmp_path / "page.html")
     subprocess.run(["node", SCENE.with_name("page.mjs"), tmp_path / "page.html"], check=True)
+
+
+def test_a_convention_is_read_in_python_and_by_the_program(tmp_path: Path) -> None:
+    angles = 0.5 * np.linspace(0, 3, 31)  # half of those of a turn about z with 1 rad/s
+    zeros = np.zeros_like(angles)
+    data = {"t": 2 * angles, "rvx": zeros, "rvy": zeros, "rvz": angles}
+    body = twrench.Body(moments=[2, 3, 4])
+    assert twrench.check(data, body, half_angles=True, omega=[0, 0, 1]).passes
+    assert not twrench.check(data, body, omega=[0, 0, 1]).passes
+    file = tmp_path / "run.csv"
+    np.savetxt(file, np.stack(list(data.values()), axis=1), delimiter=",", header=",".join(data), comments="")
+    assert "half of the angles" in run("check", file, "--inertia", "2,3,4", "--omega", "0,0,1", "--half-angles")
