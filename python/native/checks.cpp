@@ -24,7 +24,7 @@
 #include "module.h"
 #include "output.h"
 #include "plot/check_plot.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 #include "scene/limits.h"
 #include "system/file.h"
 #include "table/reader.h"

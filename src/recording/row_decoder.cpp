@@ -68,13 +68,13 @@ RowDecoder::RowDecoder(const table::Header& header, const Convention& convention
     : form_(attitude_form(convention)),
       has_rates_(recording::has_rates(convention)),
       has_momentum_(recording::has_momentum(convention)),
-      rates_in_space_(convention.rates_in_space && has_rates_),
+      from_space_axes_(convention.rates_in_space && has_rates_),
       inverse_(convention.inverse),
       changes_axes_(convention.offset || convention.axes != BodyAxes()),
       negated_(index_of_component(convention.negated)),
       second_(name_of(time_unit(convention)).in_s),
       rate_unit_(name_of(recording::rate_unit(convention)).in_rad_s),
-      angle_unit_(name_of(angle_unit(convention)).in_rad),
+      unit_of_angles_(name_of(angle_unit(convention)).in_rad),
       rates_from_momentum_(convention.inertia.inverse()),
       body_from_file_(convention.axes.matrix().transpose()),
       turned_by_(body_from_file_.determinant() * offset_of(convention).transpose() *
@@ -83,7 +83,7 @@ RowDecoder::RowDecoder(const table::Header& header, const Convention& convention
   select(header, convention, Kind::time);
   if (has_rates_) select(header, convention, has_momentum_ ? Kind::momentum : Kind::rates);
   if (const auto kind = kind_of(form_)) select(header, convention, *kind);
-  if (rates_in_space_ && form_ == AttitudeForm::none) {
+  if (from_space_axes_ && form_ == AttitudeForm::none) {
     throw InvalidArgument(header.file, "rates in space axes say nothing without an attitude",
                           "name the columns of the attitude");
   }
@@ -125,7 +125,7 @@ void RowDecoder::set_first_row(std::span<const table::Number> numbers) {
 // The components of an axis have no unit.
 double RowDecoder::attitude_unit() const {
   if (form_ == AttitudeForm::quaternion) return 1 / quaternion_length_;
-  return has_angles(form_) && form_ != AttitudeForm::axis_angle ? angle_unit_ : 1.0;
+  return has_angles(form_) && form_ != AttitudeForm::axis_angle ? unit_of_angles_ : 1.0;
 }
 
 void RowDecoder::decode(std::span<const table::Number> numbers, Row& row) const {
@@ -138,7 +138,7 @@ void RowDecoder::decode(std::span<const table::Number> numbers, Row& row) const 
   }
   require_within_limits(numbers, row);
   if (form_ != AttitudeForm::none) decode_attitude(attitude_in(numbers), row);
-  if (rates_in_space_) {
+  if (from_space_axes_) {
     row.omega = (body_from_file_.determinant() * row.X.transpose() * row.omega).eval();
   } else if (changes_axes_) {
     row.omega = (body_from_file_ * row.omega).eval();
@@ -179,7 +179,7 @@ void RowDecoder::require_within_limits(std::span<const table::Number> numbers,
     require(i, rate_unit_ * numbers[i].value, most, "rad/s", "correct or remove the row");
   }
   for (std::size_t i = rates + 1; has_angles(form_) && i < numbers.size(); ++i) {
-    require(i, angle_unit_ * numbers[i].value, most, "rad", "correct or remove the row");
+    require(i, unit_of_angles_ * numbers[i].value, most, "rad", "correct or remove the row");
   }
 }
 
@@ -210,7 +210,7 @@ void RowDecoder::decode_attitude(std::span<const table::Number> numbers, Row& ro
       decode_euler(numbers, row);
       break;
     case AttitudeForm::rotation_vector:
-      row.X = rotation_by_vector(angle_unit_ * vector_of(numbers));
+      row.X = rotation_by_vector(unit_of_angles_ * vector_of(numbers));
       break;
     case AttitudeForm::axis_angle:
       decode_axis_angle(numbers, row);
@@ -283,13 +283,13 @@ table::BadTable RowDecoder::bad_quaternion(double length) const {
 
 void RowDecoder::decode_euler(std::span<const table::Number> numbers, Row& row) const {
   std::array<double, 3> angles{};
-  for (std::size_t i = 0; i < 3; ++i) angles[i] = angle_unit_ * numbers[i].value;
+  for (std::size_t i = 0; i < 3; ++i) angles[i] = unit_of_angles_ * numbers[i].value;
   row.X = rotation_by_euler_angles(sequence_, angles);
 }
 
 void RowDecoder::decode_axis_angle(std::span<const table::Number> numbers, Row& row) const {
   const Eigen::Vector3d axis = vector_of(numbers);
-  const double length = axis.stableNorm(), angle = angle_unit_ * numbers[3].value;
+  const double length = axis.stableNorm(), angle = unit_of_angles_ * numbers[3].value;
   constexpr double most = 0.1;  // as for quaternions
   if (angle != 0 && !(std::abs(length - 1) <= most)) {
     throw bad_attitude(fmt::format("the length of its axis is {:.6g} instead of 1", length),

@@ -73,9 +73,9 @@ class RowDecoder {
   table::BadTable bad_attitude(const std::string& why, const std::string& remedy) const;
 
   AttitudeForm form_;
-  bool has_rates_, has_momentum_, rates_in_space_, inverse_, changes_axes_;
+  bool has_rates_, has_momentum_, from_space_axes_, inverse_, changes_axes_;
   std::optional<std::size_t> negated_;  ///< index of Convention::negated in (w, x, y, z)
-  double second_, rate_unit_, angle_unit_;
+  double second_, rate_unit_, unit_of_angles_;
   double quaternion_length_ = 1;
   Axes sequence_{2, 1, 0};
   Eigen::Matrix3d rates_from_momentum_;  ///< the inverse of the inertia

@@ -280,10 +280,10 @@ RandomRecording recording_with(std::string_view mistake, RecordedBody body, std:
   Convention told;
   told.columns = columns_of(AttitudeForm::none, true);
   Convention right = told;
-  for (const recording::TimeUnitName& name : recording::common_time_units()) {
+  for (const recording::TimeUnitName& name : recording::common_units_of_times()) {
     if (mistake == name.option) right.time_unit = name.unit;
   }
-  for (const recording::RateUnitName& name : recording::rate_units()) {
+  for (const recording::RateUnitName& name : recording::units_of_rates()) {
     if (mistake == name.option) right.rate_unit = name.unit;
   }
   if (mistake.find(',') != std::string_view::npos)
@@ -310,16 +310,16 @@ RandomRecording random_recording(std::uint32_t seed, std::uint32_t number) {
   told.inertia = motion.moments.asDiagonal();
   if (form == AttitudeForm::euler) told.sequence = "zyx";
   Convention right = told;
-  if (dice.chance(0.5)) right.time_unit = dice.pick(recording::common_time_units()).unit;
+  if (dice.chance(0.5)) right.time_unit = dice.pick(recording::common_units_of_times()).unit;
   if (rates && !momentum && dice.chance(0.5))
-    right.rate_unit = dice.pick(recording::rate_units()).unit;
+    right.rate_unit = dice.pick(recording::units_of_rates()).unit;
   if (dice.chance(0.5)) right.axes = dice.pick(recording::all_body_axes());
   right.angle_unit = angle_unit(told);
   if (form == AttitudeForm::euler) {
     if (dice.chance(0.5)) right.sequence = dice.pick(recording::all_sequences());
   }
   if (has_angles(form) && dice.chance(0.5))
-    right.angle_unit = dice.pick(recording::angle_units()).unit;
+    right.angle_unit = dice.pick(recording::units_of_angles()).unit;
   if (form == AttitudeForm::quaternion && dice.chance(0.5)) move_scalar(right);
   if (form != AttitudeForm::none) right.inverse = dice.chance(0.5);
   if (form != AttitudeForm::none && rates) {

@@ -8,7 +8,7 @@
 #include "app/options/command_line.h"
 #include "cases/case.h"
 #include "check/verdict/problem.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 #include "scene/scene.h"
 
 namespace twrench::app {

@@ -24,8 +24,8 @@ std::vector<Row> changed(std::span<const Row> rows, const Change& change) {
   for (Row& row : result) {
     const Vector3d file = change.factor * (change.file_from_rates * row.omega);
     row.X = (sign * row.X * change.offset.transpose() * P).eval();
-    const Vector3d body = change.rates_in_space ? Vector3d(sign * row.X.transpose() * file)
-                                                : Vector3d(P.transpose() * file);
+    const Vector3d body = change.from_space_axes ? Vector3d(sign * row.X.transpose() * file)
+                                                 : Vector3d(P.transpose() * file);
     row.omega = rates_from_file * body;
   }
   return result;

@@ -13,7 +13,7 @@ namespace twrench::check {
 struct Change {
   double factor = 1;  ///< of the rates
   recording::BodyAxes axes = {};
-  bool rates_in_space = false;
+  bool from_space_axes = false;
   Eigen::Matrix3d offset = Eigen::Matrix3d::Identity();  ///< as Convention::offset
   /// Takes the rates to the vectors in the file: the inertia if these are angular momenta.
   Eigen::Matrix3d file_from_rates = Eigen::Matrix3d::Identity();

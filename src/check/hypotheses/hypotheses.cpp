@@ -91,7 +91,6 @@ class Search {
     plain.axes = BodyAxes();
     plain.offset.reset();
     plain.rates_in_space = false;
-    plain.angle_unit = angle_unit(convention);
     for (const Convention& reading : attitude_readings(numbers_.header, plain)) {
       try {
         variants_.push_back({reading, decoded(numbers_, reading)});
@@ -116,8 +115,8 @@ class Search {
                                [](const Tried& t) { return *t.reading.misfit.worst() < well; });
   }
 
-  Change change_to(double factor, const BodyAxes& axes, bool rates_in_space = false) const {
-    Change change{factor, axes, rates_in_space};
+  Change change_to(double factor, const BodyAxes& axes, bool from_space_axes = false) const {
+    Change change{factor, axes, from_space_axes};
     if (has_momentum(convention_)) change.file_from_rates = convention_.inertia;
     return change;
   }
@@ -244,7 +243,7 @@ class Search {
     if (units.time != time_unit(convention_)) reading.time_unit = units.time;
     if (units.rate != rate_unit(convention_)) reading.rate_unit = units.rate;
     reading.axes = change.axes;
-    reading.rates_in_space = change.rates_in_space;
+    reading.rates_in_space = change.from_space_axes;
     if (!change.offset.isIdentity(0)) reading.offset = Eigen::Quaterniond(change.offset);
     return reading;
   }

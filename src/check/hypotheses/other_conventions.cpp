@@ -6,7 +6,7 @@
 
 #include "recording/columns/columns.h"
 #include "recording/columns/stated_unit.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 #include "recording/conventions/units.h"
 
 namespace twrench::check {
@@ -93,6 +93,8 @@ void add_angle_units(std::vector<Convention>& list, const StatedUnit& stated) {
 std::vector<Convention> attitude_readings(const table::Header& header,
                                           const Convention& convention) {
   std::vector<Convention> list{convention}, with_negated;
+  // The unit of rates, which is tried apart, does not change that of angles.
+  list.front().angle_unit = angle_unit(convention);
   switch (attitude_form(convention)) {
     case AttitudeForm::none:
       return list;
@@ -127,14 +129,14 @@ std::vector<Units> unit_readings(const table::Header& header, const Convention& 
   const Units as_read{time_unit(convention), rate_unit(convention)};
   std::vector<recording::TimeUnit> times{as_read.time};
   if (!stated_of(header, convention, "t").time) {
-    for (const recording::TimeUnitName& name : recording::common_time_units()) {
+    for (const recording::TimeUnitName& name : recording::common_units_of_times()) {
       if (name.unit != as_read.time) times.push_back(name.unit);
     }
   }
   std::vector<recording::RateUnit> rates{as_read.rate};
   if (has_rates(convention) && !has_momentum(convention) &&
       !stated_of(header, convention, "wx").rate) {
-    for (const recording::RateUnitName& name : recording::rate_units()) {
+    for (const recording::RateUnitName& name : recording::units_of_rates()) {
       if (name.unit != as_read.rate) rates.push_back(name.unit);
     }
   }

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/argument.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 
 namespace twrench::check {
 namespace {

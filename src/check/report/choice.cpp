@@ -18,7 +18,7 @@
 #include "recording/columns/columns.h"
 #include "recording/columns/open_conventions.h"
 #include "recording/columns/stated_unit.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 #include "recording/conventions/names.h"
 #include "recording/time_choice.h"
 #include "table/reader.h"

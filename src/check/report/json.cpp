@@ -3,7 +3,7 @@
 #include "base/argument.h"
 #include "base/enumeration.h"
 #include "check/report/report.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 
 namespace twrench::check {
 namespace {

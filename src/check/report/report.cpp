@@ -8,7 +8,7 @@
 
 #include "base/argument.h"
 #include "check/report/alternative_text.h"
-#include "recording/conventions/fields.h"
+#include "recording/conventions/convention.h"
 #include "text/escape.h"
 
 namespace twrench::check {

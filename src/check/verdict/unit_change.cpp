@@ -68,12 +68,12 @@ bool UnitWatch::next(recording::Row& row) {
 
 void UnitWatch::require_one_unit() const {
   const auto of_momentum = momentum_.factor(), of_interval = interval_.factor();
-  if (of_momentum &&
-      is_between_units(*of_momentum, recording::rate_units(), &recording::RateUnitName::in_rad_s)) {
+  if (of_momentum && is_between_units(*of_momentum, recording::units_of_rates(),
+                                      &recording::RateUnitName::in_rad_s)) {
     throw unit_change(momentum_, "the angular momentum",
                       "convert the rates to one unit, or give each unit a file");
   }
-  if (of_interval && is_between_units(*of_interval, recording::common_time_units(),
+  if (of_interval && is_between_units(*of_interval, recording::common_units_of_times(),
                                       &recording::TimeUnitName::in_s)) {
     throw unit_change(interval_, "the time between rows",
                       "convert the times to one unit, or give each unit a file");

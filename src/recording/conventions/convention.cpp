@@ -1,10 +1,14 @@
 #include "recording/conventions/convention.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string_view>
 
+#include "base/argument.h"
 #include "base/enumeration.h"
 #include "base/letters.h"
 #include "base/nearest.h"
@@ -14,34 +18,180 @@
 namespace twrench::recording {
 namespace {
 
-/// Takes the text up to the next unquoted `end`, without its quotes, and skips that `end`.
-std::string take_until(std::string_view& text, char end) {
-  std::string taken;
-  bool quoted = false;
-  while (!text.empty()) {
-    const char c = text.front();
-    text.remove_prefix(1);
-    if (c == '"' && quoted && text.starts_with('"')) {
-      taken += '"';
-      text.remove_prefix(1);
-    } else if (c == '"' && (quoted || taken.empty())) {
-      quoted = !quoted;
-    } else if (c == end && !quoted) {
-      break;
-    } else {
-      taken += c;
-    }
-  }
-  return taken;
+using Get = FieldValue (*)(const Convention&);
+using Statement = std::string (*)(const Convention&);
+
+const std::string& word_in(const FieldValue& value) { return std::get<std::string>(value); }
+
+/// A field with a unit.
+template <typename Name>
+Field unit_field(const char* name, const char* help, const char* otherwise,
+                 std::span<const Name> units, std::optional<decltype(Name::unit)> Convention::*unit,
+                 Get value, Statement statement) {
+  std::vector<std::string> words;
+  for (const Name& one : units) words.emplace_back(one.option);
+  const auto set = [=](Convention& c, const FieldValue& given) {
+    const auto found = std::ranges::find(units, word_in(given), &Name::option);
+    if (found == units.end()) throw unknown_name(argument(name), word_in(given), words);
+    c.*unit = found->unit;
+  };
+  return {name,
+          FieldForm::text,
+          fmt::format("{}: {}", help, fmt::join(words, ", ")),
+          "UNIT",
+          otherwise,
+          words,
+          value,
+          set,
+          statement};
 }
 
-std::string in_quotes_if_needed(const std::string& name) {
-  const bool is_plain = !name.empty() && name.find_first_of(",=\"") == std::string::npos &&
-                        name.front() != ' ' && name.back() != ' ';
-  if (is_plain) return name;
-  std::string quoted = "\"";
-  for (const char c : name) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+Field columns_field() {
+  return {"columns",
+          FieldForm::text,
+          "the file's columns for t, wx wy wz, lx ly lz, x11 to x33, qw qx qy qz, yaw pitch roll, "
+          "rvx rvy rvz, axisx axisy axisz angle, mrpx mrpy mrpz, gibbsx gibbsy gibbsz",
+          "t=NAME,wx=NAME,...",
+          "by their names",
+          {},
+          [](const Convention& c) { return FieldValue(c.columns); },
+          [](Convention& c, const FieldValue& value) {
+            c.columns = parse_columns(word_in(value), argument("columns"));
+          },
+          [](const Convention&) { return std::string("the columns have another order"); }};
+}
+
+Field sequence_field() {
+  return {"sequence",
+          FieldForm::text,
+          "axes of Euler angles in the order of the rotations",
+          "AXES",
+          "",
+          {},
+          [](const Convention& c) { return FieldValue(c.sequence); },
+          [](Convention& c, const FieldValue& value) {
+            c.sequence = parse_sequence(word_in(value), argument("sequence"));
+          },
+          [](const Convention& c) {
+            return fmt::format("the angles turn about {}, then {}, then {}", c.sequence[0],
+                               c.sequence[1], c.sequence[2]);
+          }};
+}
+
+Field negated_field() {
+  return {"negated",
+          FieldForm::unasked,
+          "",
+          "",
+          "",
+          {},
+          [](const Convention& c) { return FieldValue(c.negated); },
+          nullptr,
+          [](const Convention& c) { return c.columns.at(c.negated) + " has the wrong sign"; }};
+}
+
+Field inverse_field() {
+  return {"inverse",
+          FieldForm::flag,
+          "the attitude is body from space, not space from body",
+          "",
+          "",
+          {},
+          [](const Convention& c) { return FieldValue(c.inverse); },
+          [](Convention& c, const FieldValue& value) { c.inverse = std::get<bool>(value); },
+          [](const Convention& c) {
+            return std::string("the attitude is ") +
+                   (c.inverse ? "body from space" : "space from body");
+          }};
+}
+
+Field rates_field() {
+  static const std::vector<std::string> words{"body", "space"};
+  return {"rates",
+          FieldForm::text,
+          "the axes of the rates: body or space",
+          "AXES",
+          "body",
+          words,
+          [](const Convention& c) { return FieldValue(words[c.rates_in_space ? 1 : 0]); },
+          [](Convention& c, const FieldValue& value) {
+            c.rates_in_space = word_in(value) == "space";
+            if (std::ranges::find(words, word_in(value)) == words.end()) {
+              throw unknown_name(argument("rates"), word_in(value), words);
+            }
+          },
+          [](const Convention& c) {
+            return std::string("the rates are in ") +
+                   (c.rates_in_space ? "space axes" : "the body's axes");
+          }};
+}
+
+Field axes_field() {
+  return {
+      "axes",
+      FieldForm::text,
+      "the body's axes along which the file's x, y and z point, such as x,-z,y",
+      "X,Y,Z",
+      "x,y,z",
+      {},
+      [](const Convention& c) { return FieldValue(format_body_axes(c.axes)); },
+      [](Convention& c, const FieldValue& value) {
+        c.axes = parse_body_axes(word_in(value), argument("axes"));
+      },
+      [](const Convention& c) { return "its axes are the body's " + format_body_axes(c.axes); }};
+}
+
+Field offset_field() {
+  return {"offset",
+          FieldForm::rotation,
+          "the attitude is that of a part: the quaternion, scalar first, that takes its axes to "
+          "the body's",
+          "W,X,Y,Z",
+          "",
+          {},
+          [](const Convention& c) { return c.offset ? FieldValue(*c.offset) : FieldValue(); },
+          [](Convention& c, const FieldValue& value) {
+            c.offset = std::get<Eigen::Quaterniond>(value);
+          },
+          [](const Convention& c) {
+            return std::string("the attitude is ") +
+                   (c.offset ? "that of a part that is turned in the body" : "the body's own");
+          }};
+}
+
+std::vector<Field> all_fields() {
+  return {
+      columns_field(),
+      unit_field(
+          "time_unit", "unit of times", "what the file says, else s", units_of_times(),
+          &Convention::time_unit,
+          [](const Convention& c) { return FieldValue(name_of(time_unit(c)).option); },
+          [](const Convention& c) {
+            return c.columns.at("t") + " is in " + name_of(time_unit(c)).option;
+          }),
+      unit_field(
+          "units", "unit of angles and, a second, of rates; rpm of rates alone",
+          "what the file says, else rad", units_of_rates(), &Convention::rate_unit,
+          [](const Convention& c) { return FieldValue(name_of(rate_unit(c)).option); },
+          [](const Convention& c) {
+            return std::string("the rates are in ") + name_of(rate_unit(c)).symbol;
+          }),
+      unit_field(
+          "angle_units", "unit of Euler angles alone", "what the file says, else that of the rates",
+          units_of_angles(), &Convention::angle_unit,
+          [](const Convention& c) {
+            const bool has_unit = has_angles(attitude_form(c));
+            return FieldValue(has_unit ? name_of(angle_unit(c)).option : "");
+          },
+          [](const Convention& c) {
+            return std::string("the angles are in ") + name_of(angle_unit(c)).option;
+          }),
+      sequence_field(),
+      negated_field(),
+      inverse_field(),
+      rates_field(),
+      axes_field(),
+      offset_field()};
 }
 
 }  // namespace
@@ -111,44 +261,6 @@ bool has_rates(const Convention& convention) {
   return convention.columns.contains("wx") || has_momentum(convention);
 }
 
-std::map<std::string, std::string> parse_columns(std::string_view text,
-                                                 const std::string& quantity) {
-  const std::vector<std::string> known = all_names();
-  std::map<std::string, std::string> columns;
-  while (!text.empty()) {
-    const std::size_t equals = text.find('=');
-    const std::string_view left = text.substr(0, equals);
-    if (equals == std::string_view::npos || left.find(',') != std::string_view::npos) {
-      throw InvalidArgument(quantity,
-                            fmt::format("'{}' has no '='", left.substr(0, left.find(','))),
-                            "write our name = the file's name: t=time,wx=p,wy=q,wz=r");
-    }
-    const std::string ours = to_lower(left);
-    if (std::ranges::find(known, ours) == known.end()) throw unknown_name(quantity, left, known);
-    text.remove_prefix(equals + 1);
-    const std::string theirs = take_until(text, ',');
-    if (theirs.empty()) {
-      throw InvalidArgument(quantity, fmt::format("'{}=' names no column", ours),
-                            "name a column of the file, or #3 for its third");
-    }
-    if (!columns.emplace(ours, theirs).second) {
-      throw InvalidArgument(quantity, fmt::format("'{}' is there twice", ours));
-    }
-  }
-  return columns;
-}
-
-std::string format_columns(const std::map<std::string, std::string>& columns) {
-  std::string text;
-  for (const std::string& ours : all_names()) {
-    const auto column = columns.find(ours);
-    if (column == columns.end()) continue;
-    if (!text.empty()) text += ',';
-    text += ours + '=' + in_quotes_if_needed(column->second);
-  }
-  return text;
-}
-
 const std::vector<std::string>& all_sequences() {
   static const std::vector<std::string> sequences{"zyx", "zxy", "yxz", "yzx", "xyz", "xzy",
                                                   "zxz", "zyz", "yxy", "yzy", "xyx", "xzx"};
@@ -159,6 +271,58 @@ std::string parse_sequence(std::string_view text, const std::string& quantity) {
   std::string small = to_lower(text);
   if (std::ranges::find(all_sequences(), small) != all_sequences().end()) return small;
   throw unknown_name(quantity, text, all_sequences());
+}
+
+const std::vector<Field>& convention_fields() {
+  static const std::vector<Field> fields = all_fields();
+  return fields;
+}
+
+bool agree(const Field& field, const Convention& a, const Convention& b) {
+  const FieldValue of_a = field.value(a), of_b = field.value(b);
+  const auto* p = std::get_if<Eigen::Quaterniond>(&of_a);
+  const auto* q = std::get_if<Eigen::Quaterniond>(&of_b);
+  if (p == nullptr || q == nullptr) return of_a == of_b;
+  constexpr double rounding = 1e-9;  // rad
+  return p->angularDistance(*q) < rounding;
+}
+
+std::string mention(const Field& field, const Convention& convention) {
+  const FieldValue value = field.value(convention);
+  switch (field.form) {
+    case FieldForm::unasked:
+      return {};
+    case FieldForm::flag:
+      return std::get<bool>(value) ? argument(field.name) : std::string();
+    case FieldForm::rotation:
+      if (const auto* q = std::get_if<Eigen::Quaterniond>(&value)) {
+        return argument(field.name, fmt::format("{:.15g},{:.15g},{:.15g},{:.15g}", q->w(), q->x(),
+                                                q->y(), q->z()));
+      }
+      return {};
+    case FieldForm::text:
+      break;
+  }
+  if (const auto* columns = std::get_if<std::map<std::string, std::string>>(&value)) {
+    return argument(field.name, format_columns(*columns));
+  }
+  const auto& word = std::get<std::string>(value);
+  return word.empty() ? std::string() : argument(field.name, word);
+}
+
+std::string changing_arguments(const Convention& before, const Convention& after) {
+  std::vector<std::string> mentions;
+  // The unit of rates is that of angles, too, unless these have their own.
+  Convention with_units = before;
+  if (rate_unit(after) != rate_unit(before)) with_units.rate_unit = rate_unit(after);
+  for (const Field& field : convention_fields()) {
+    const bool is_angle = field.name == std::string_view("angle_units");
+    const std::string text = mention(field, after);
+    if (!text.empty() && !agree(field, is_angle ? with_units : before, after)) {
+      mentions.push_back(text);
+    }
+  }
+  return fmt::format("{}", fmt::join(mentions, " "));
 }
 
 }  // namespace twrench::recording

@@ -31,21 +31,21 @@ static_assert(has_row_for_each(time_unit_names, &TimeUnitName::unit));
 
 }  // namespace
 
-std::span<const RateUnitName> rate_units() { return rate_unit_names; }
+std::span<const RateUnitName> units_of_rates() { return rate_unit_names; }
 
 const RateUnitName& name_of(RateUnit unit) {
   return *std::ranges::find(rate_unit_names, unit, &RateUnitName::unit);
 }
 
-std::span<const AngleName> angle_units() { return angle_names; }
+std::span<const AngleName> units_of_angles() { return angle_names; }
 
 const AngleName& name_of(Angle unit) {
   return *std::ranges::find(angle_names, unit, &AngleName::unit);
 }
 
-std::span<const TimeUnitName> time_units() { return time_unit_names; }
+std::span<const TimeUnitName> units_of_times() { return time_unit_names; }
 
-std::span<const TimeUnitName> common_time_units() {
+std::span<const TimeUnitName> common_units_of_times() {
   return std::span(time_unit_names).first<time_unit_names.size() - 1>();
 }
 

@@ -17,7 +17,7 @@ struct RateUnitName {
   const char* symbol;  ///< "deg/s"
   double in_rad_s;     ///< its size
 };
-std::span<const RateUnitName> rate_units();
+std::span<const RateUnitName> units_of_rates();
 const RateUnitName& name_of(RateUnit unit);
 
 /// The same for angles.
@@ -26,7 +26,7 @@ struct AngleName {
   const char* option;  ///< "deg"
   double in_rad;
 };
-std::span<const AngleName> angle_units();
+std::span<const AngleName> units_of_angles();
 const AngleName& name_of(Angle unit);
 
 /// The same for times.
@@ -35,9 +35,9 @@ struct TimeUnitName {
   const char* option;  ///< "ms"
   double in_s;
 };
-std::span<const TimeUnitName> time_units();
+std::span<const TimeUnitName> units_of_times();
 /// All but 0.1 ms, which only the clocks of a few sensors count.
-std::span<const TimeUnitName> common_time_units();
+std::span<const TimeUnitName> common_units_of_times();
 const TimeUnitName& name_of(TimeUnit unit);
 
 /// The unit of angles of a rate: degrees for deg/s. Nothing for revolutions, which are not used for

@@ -128,8 +128,8 @@ TEST(Alternatives, RatesInSpace) {
 // Every unit of times with every unit of rates; the file is read in s and rad/s.
 TEST(Alternatives, UnitsOfTimesAndRates) {
   if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
-  for (const recording::TimeUnitName& time : recording::common_time_units()) {
-    for (const recording::RateUnitName& rate : recording::rate_units()) {
+  for (const recording::TimeUnitName& time : recording::common_units_of_times()) {
+    for (const recording::RateUnitName& rate : recording::units_of_rates()) {
       const QuaternionFile file([&](const Row& row) {
         Written written = as_told(row);
         written.t /= time.in_s;
