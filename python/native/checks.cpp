@@ -9,12 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/enumeration.h"
 #include "check/report/checked_file.h"
+#include "check/report/choice.h"
 #include "check/report/report.h"
 #include "comparison/report.h"
 #include "comparison/request.h"
@@ -34,6 +36,7 @@ namespace {
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 /// The values of the fields of a convention that the caller gives, by their names.
 using Given = std::map<std::string, std::variant<bool, std::string, Eigen::Vector4d>>;
 
@@ -104,6 +107,41 @@ std::function<recording::Recording()> opener_of(const Source& source) {
   return [&name = name, columns = std::move(columns), rows] {
     return recording::Recording(table::open_table(name, columns, rows));
   };
+}
+
+/// Reads a recording in the convention that is given, or that its names determine. Returns the time
+/// of its first row on the clock, the times since then, the rates and the attitudes by their rows;
+/// those that it does not have are empty.
+std::tuple<double, Eigen::VectorXd, RowMatrix, RowMatrix> read_recording(
+    const Source& source, const Given& given, const std::optional<Eigen::Matrix3d>& inertia) {
+  const std::function<recording::Recording()> open = opener_of(source);
+  std::optional<check::Problem> problem;
+  if (inertia) problem = check::Problem{.inertia = *inertia};
+  return run_interruptibly([&](const std::atomic<bool>& stop) {
+    const recording::Recording recording = open();
+    const recording::Convention convention =
+        check::choose_convention(recording, convention_of(given), problem);
+    if (has_momentum(convention) && !inertia) {
+      throw InvalidArgument(recording.name(), "it has the angular momentum instead of rates",
+                            "give the body, too");
+    }
+    recording::RowReader reader = recording.rows(convention);
+    std::vector<double> times, omega, X;
+    for (recording::Row row; reader.next(row);) {
+      if (stop) throw Stopped{};
+      times.push_back(row.t);
+      if (reader.has_rates()) omega.insert(omega.end(), row.omega.begin(), row.omega.end());
+      if (reader.attitude() == recording::AttitudeForm::none) continue;
+      for (const double entry : row.X.reshaped<Eigen::RowMajor>()) X.push_back(entry);
+    }
+    const auto matrix = [](const std::vector<double>& numbers, Eigen::Index columns) {
+      const auto rows = static_cast<Eigen::Index>(numbers.size()) / columns;
+      return RowMatrix(Eigen::Map<const RowMatrix>(numbers.data(), rows, columns));
+    };
+    const Eigen::Map<const Eigen::VectorXd> t(times.data(),
+                                              static_cast<Eigen::Index>(times.size()));
+    return std::tuple(reader.first_time(), Eigen::VectorXd(t), matrix(omega, 3), matrix(X, 9));
+  });
 }
 
 /// Returns the reports on all recordings and those on each of them. `plot` may be null.
@@ -185,6 +223,7 @@ void add_checks(py::module_& module) {
       .def_readonly("json", &CheckReports::json)
       .def_readonly("text", &CheckReports::text)
       .def_readonly("junit", &CheckReports::junit);
+  module.def("read_recording", &read_recording);
   module.def("check", &check_recordings);
   module.def("compare", &compare_pictures);
 }

@@ -33,6 +33,7 @@ from .motion import (
     simulate,
 )
 from .published import case, cases
+from .recording import Recording
 from .scene import Scene, scenes, schema
 from .several import plot, report
 from .site import pages
@@ -69,6 +70,7 @@ __all__ = [
     "Part",
     "Phase",
     "Picture",
+    "Recording",
     "Scene",
     "SceneError",
     "Sphere",

@@ -1,6 +1,6 @@
 # The extension module. The package's other sources check its arguments.
 from pathlib import Path
-from typing import Any, Callable, Sequence
+from typing import Mapping, Any, Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -316,6 +316,11 @@ class CheckReports:
     @property
     def junit(self) -> str: ...
 
+def read_recording(
+    source: str | tuple[str, list[tuple[str, _Array]]],
+    convention: Mapping[str, str | bool | _Array],
+    inertia: _Array | None,
+) -> tuple[float, _Array, _Array, _Array]: ...
 def check(
     sources: list[str | tuple[str, list[tuple[str, _Array]]]],
     steps: list[float],
@@ -324,7 +329,7 @@ def check(
     omega_time: float | None,
     fit: bool,
     frame: str,
-    convention: dict[str, str | bool | _Array],
+    convention: Mapping[str, str | bool | _Array],
     bounds: dict[str, float],
     plot: Output | None,
 ) -> tuple[CheckReports, list[CheckReports]]: ...

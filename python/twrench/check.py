@@ -5,46 +5,40 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, Mapping, Protocol, Sequence, TypeVar, Union, overload
+from typing import Any, Literal, Mapping, Sequence, TypeVar, Union, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _arguments, _native
 from ._arguments import Array
 from .body import Body
 from .errors import UsageError
-from .motion import Motion
 from .names import Numbers, StrPath
 from .published import case as published_case
+from .recording import (
+    AngleUnit,
+    Convention,
+    Data,
+    RateAxes,
+    RateUnit,
+    Recording,
+    Source,
+    TimeUnit,
+    convention_of,
+    source_of,
+)
 
 __all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "check"]
 
 FrameSource = Literal["first", "momentum"]
-RateAxes = Literal["body", "space"]
-TimeUnit = Literal["s", "ms", "us", "ns", "min", "h", "0.1ms"]
-RateUnit = Literal["rad", "deg", "rev", "rpm"]
-AngleUnit = Literal["rad", "deg"]
 Finding = Literal[
     "exact", "noise", "convention", "start", "body", "law", "inconsistent", "integration"
 ]
-
-
-class DataFrame(Protocol):
-    """A table with named columns, such as a DataFrame of pandas."""
-
-    @property
-    def columns(self) -> Any: ...
-    def __getitem__(self, name: Any, /) -> Any: ...
-
-
-#: A file, a motion, an array (n, k), or columns with names.
-Recording = Union[StrPath, Motion, Mapping[str, Numbers], DataFrame, NDArray[Any]]
-R = TypeVar("R", bound=Recording)
+#: What can be judged.
+Recorded = Union[Recording, Data]
+R = TypeVar("R", bound=Recorded)
 #: Several recordings.
 Recordings = Union["list[R]", "tuple[R, ...]"]
-#: The path of a file, or the name and the columns of a table.
-Source = Union[str, tuple[str, list[tuple[str, Array]]]]
 
 
 @dataclass(frozen=True)
@@ -129,7 +123,7 @@ class Checks:
 
 @overload
 def check(
-    data: Recording,
+    data: Recorded,
     body: Body | None = None,
     *,
     steps: Numbers | None = ...,
@@ -184,7 +178,7 @@ def check(
 
 
 def check(
-    data: Recording | Recordings[Any],
+    data: Recorded | Recordings[Any],
     body: Body | None = None,
     *,
     steps: Numbers | None = None,
@@ -210,7 +204,8 @@ def check(
 ) -> Check | Checks:
     """Compares a motion that another program computed with the exact one, as ``twrench check`` does.
 
-    :param data: a CSV, TSV, JSON, AEM, .npy or .npz file; a :class:`Motion`; or columns: a mapping of
+    :param data: a CSV, TSV, JSON, AEM, .npy or .npz file; a :class:`Motion` or a
+        :class:`Recording`; or columns: a mapping of
         names to arrays (n,), (n, k) or (n, k, m), such as ``{"t": t, "omega": omega, "X": X}``, a data
         frame of pandas, or an array (n, k) whose columns ``columns`` names. The columns are times, and
         rates, attitudes or both. A list or tuple of such recordings gives a :class:`Checks`, with the
@@ -253,28 +248,9 @@ def check(
     :raises Error: if gnuplot is needed, but is missing or fails.
     """
     inertia, start = _problem(body, case, omega)
-    convention: dict[str, str | bool | Array] = {"inverse": bool(inverse)}
-    of_array = None
-    if isinstance(columns, Mapping):
-        convention["columns"] = _columns_text(columns)
-    elif columns is not None:
-        of_array = _arguments.sequence("columns", columns, "a mapping or a list of names")
-    words = {
-        "time_unit": time_unit,
-        "units": units,
-        "angle_units": angle_units,
-        "rates": rates,
-        "axes": axes,
-    }
-    for name, word in words.items():
-        if word is not None:
-            convention[name] = _arguments.text(name, word)
-    if sequence is not None:
-        convention["sequence"] = _sequence_of_program(sequence)
-    if offset is not None:
-        convention["offset"] = _arguments.array(
-            "offset", offset, (4,), "a quaternion (w, x, y, z)"
-        )
+    convention, of_array = convention_of(
+        columns, time_unit, units, angle_units, sequence, inverse, rates, axes, offset
+    )
     is_first = isinstance(omega_at, str) and omega_at == "first"
     at = None if is_first else _arguments.number("omega_at", omega_at)
     bounds = {
@@ -294,6 +270,8 @@ def check(
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
     sources = [_source_of(*named, of_array) for named in zip(names, recordings)]
+    if isinstance(recordings[0], Recording):
+        convention = _convention_of_read(recordings, convention)
     figure = None
     if plot is not None:
         path = Path(_arguments.path("plot", plot))
@@ -340,111 +318,19 @@ def _step_sizes(steps: Numbers, count: int) -> list[float]:
     return sizes
 
 
-def _sequence_of_program(sequence: str) -> str:
-    """The sequence of the program, whose axes turn with the body."""
-    axes = _arguments.euler_sequence("sequence", sequence)
-    if axes.isupper():
-        return axes.lower()
-    # Rotations about fixed axes are the reverse ones about axes that turn with the body. Each axis
-    # keeps its angle, unless two angles are about the same axis.
-    if axes[0] == axes[2]:
-        raise UsageError(
-            f"sequence: cannot be {axes!r}, with fixed axes",
-            f"exchange the first and the third angle, and use {axes.upper()!r}",
-        )
-    return axes[::-1]
-
-
-def _columns_text(columns: Mapping[str, str]) -> str:
-    quoted = {
-        _arguments.text("columns", ours): _arguments.text("columns", theirs).replace('"', '""')
-        for ours, theirs in columns.items()
-    }
-    return ",".join(f'{ours}="{theirs}"' for ours, theirs in quoted.items())
-
-
 def _source_of(name: str, data: Any, of_array: list[Any] | None) -> Source:
-    """A path, or the name and the columns of a table. `of_array` are the names of an array's columns."""
-    is_array = isinstance(data, np.ndarray) and data.dtype.names is None
-    if of_array is not None and not is_array:
-        raise UsageError(
-            f"columns: must be a mapping of our names to those of {name}, "
-            f"not {_arguments.brief(of_array)}"
-        )
-    if is_array:
-        columns = _columns_of_array(name, data, of_array)
-    elif isinstance(data, np.ndarray):
-        columns = _columns_of_mapping(name, {key: data[key] for key in data.dtype.names})
-    elif isinstance(data, Mapping):
-        columns = _columns_of_mapping(name, data)
-    elif isinstance(data, Motion):
-        columns = _columns_of_motion(name, data)
-    elif hasattr(data, "columns"):
-        columns = _columns_of_frame(name, data)
-    else:
-        return _arguments.path(name, data)
-    if not columns:
-        raise UsageError(f"{name}: must have columns")
-    if "" in columns:
-        raise UsageError(f"{name}: has a column without a name")
-    if len({len(column) for column in columns.values()}) != 1:
-        raise UsageError(f"{name}: must have columns of the same length")
-    return name, list(columns.items())
+    return data._source if isinstance(data, Recording) else source_of(name, data, of_array)
 
 
-def _columns_of_motion(name: str, motion: Motion) -> dict[str, Array]:
-    if not motion._free_body.is_rigid:
-        raise UsageError(
-            f"{name}: a check needs the closed form of a rigid body's motion",
-            "use a body without a wheel and energy loss",
-        )
-    t, X, omega = motion._samples()
-    columns = {"t": t}
-    for i in range(3):
-        columns |= {f"x{i + 1}{j + 1}": X[:, i, j] for j in range(3)}
-    return columns | {f"w{axis}": omega[:, i] for i, axis in enumerate("xyz")}
-
-
-def _columns_of_mapping(name: str, data: Mapping[Any, Any]) -> dict[str, Array]:
-    """Each number of a row is a column: ``omega[0]``, ``X[0][2]``."""
-    columns: dict[str, Array] = {}
-    for key, value in data.items():
-        label = _arguments.text(name, key)
-        shape: tuple[int, ...] = value.shape if isinstance(value, np.ndarray) else ()
-        wanted = (None,) * len(shape) if len(shape) in (2, 3) and shape[1] > 1 else (None,)
-        form = "a one-dimensional array of numbers, or one of vectors or matrices"
-        numbers = _arguments.array(f"{name}[{key!r}]", value, wanted, form)
-        each_row = list(np.ndindex(numbers.shape[1:]))
-        flat = numbers.reshape(len(numbers), len(each_row))
-        for column, indices in enumerate(each_row):
-            columns[label + "".join(f"[{i}]" for i in indices)] = flat[:, column]
-    return columns
-
-
-def _columns_of_array(name: str, data: Any, names: list[Any] | None) -> dict[str, Array]:
-    """Without names they are those of a file without names: #1, #2 ..."""
-    numbers = _arguments.array(name, data, (None, None), "an array of numbers of shape (n, k)")
-    count = numbers.shape[1]
-    if names is None:
-        names = [f"#{i + 1}" for i in range(count)]
-    if len(names) != count or len(set(map(str, names))) != count:
-        raise UsageError(
-            f"columns: must be {count} different names for the columns of {name}, "
-            f"not {_arguments.brief(names)}"
-        )
-    return {_arguments.text("columns", key): numbers[:, i] for i, key in enumerate(names)}
-
-
-def _columns_of_frame(name: str, data: Any) -> dict[str, Array]:
-    """The columns of numbers. Those that the check does not use may have any values."""
-    columns = {
-        _arguments.text(name, str(label)): np.asarray(data[label]) for label in data.columns
-    }
-    return {
-        label: np.array(column, dtype=np.float64)
-        for label, column in columns.items()
-        if column.dtype.kind in "fiu" and column.ndim == 1
-    }
+def _convention_of_read(recordings: list[Any], given: Convention) -> Convention:
+    """The convention of recordings that were read already."""
+    if given:
+        raise UsageError(f"{next(iter(given))}: the recording was read already", "leave it out")
+    found: Convention = recordings[0]._convention
+    for recording in recordings:
+        if not isinstance(recording, Recording) or repr(recording._convention) != repr(found):
+            raise UsageError("data: the recordings were read in different ways", "check each alone")
+    return found
 
 
 def _result(reports: _native.CheckReports) -> Check:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import gc
+import os
 import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -130,7 +132,26 @@ def test_arrays_are_released():
     assert sys.getrefcount(numbers) == before
 
 
-@pytest.mark.skipif(shutil.which("strace") is None, reason="strace is not installed")
+def calls_about_files(folder: Path, *words: Any) -> str:
+    trace = folder / "trace"
+    subprocess.run(["strace", "-f", "-e", "trace=file", "-o", trace, *words], check=True)
+    return trace.read_text()
+
+
+needs_strace = pytest.mark.skipif(shutil.which("strace") is None, reason="strace is not installed")
+
+
+@needs_strace
+@pytest.mark.parametrize("options", [[], ["--fit"], ["--units", "deg", "--no-fail"]])
+def test_a_file_is_opened_once(tmp_path, options):
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(0.4 * np.arange(50))
+    file = motion.save(tmp_path / "run.csv")
+    words = [os.environ["TWRENCH_PROGRAM"], "check", file, "--inertia", "2,3,4", *options]
+    calls = calls_about_files(tmp_path, *words)
+    assert len(re.findall(rf'open\w*\(.*?"{re.escape(str(file))}"', calls)) == 1
+
+
+@needs_strace
 def test_no_file_is_opened_for_arrays(tmp_path):
     script = """
 import os, numpy as np, twrench
@@ -146,11 +167,7 @@ os.path.exists("/begin")
 check()
 os.path.exists("/end")
 """
-    trace = tmp_path / "trace"
-    subprocess.run(
-        ["strace", "-f", "-e", "trace=file", "-o", trace, sys.executable, "-c", script], check=True
-    )
-    (calls,) = trace.read_text().split('"/begin"')[1:]
+    (calls,) = calls_about_files(tmp_path, sys.executable, "-c", script).split('"/begin"')[1:]
     opened = re.findall(r'(?:open|mkdir|mknod|rename)\w*\(.*?"(.*?)"', calls.split('"/end"')[0])
     assert set(opened) <= {"/sys/devices/system/cpu/online"}  # by std::thread
 
@@ -171,3 +188,77 @@ def test_quaternions_in_integers_have_the_precision_of_these():
         {"t": motion.t, "omega": motion.omega, "quaternion_wxyz": integers}, BODY
     )
     assert found.passes, found.verdict
+
+
+def test_a_recording_is_the_motion_that_was_written(tmp_path):
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(0.05 * np.arange(50))
+    degrees = {f"w{axis} [deg/s]": rates for axis, rates in zip("xyz", np.rad2deg(motion.omega).T)}
+    quaternions = dict(zip(("qx", "qy", "qz", "qw"), motion.quaternion_xyzw.T))
+    read = twrench.Recording.read({"time_ms": 1e3 * motion.t + 5e4, **degrees, **quaternions})
+    assert read.omega is not None and read.X is not None and read.quaternion_wxyz is not None
+    np.testing.assert_allclose(read.t, motion.t, atol=1e-10)
+    np.testing.assert_allclose(read.omega, motion.omega, atol=1e-14)
+    np.testing.assert_allclose(read.X, motion.X, atol=1e-14)
+    np.testing.assert_allclose(read.quaternion_wxyz, motion.quaternion_wxyz, atol=1e-14)
+    assert read.start == pytest.approx(50) and len(read) == 50
+    assert repr(read) == "<twrench.Recording: 50 rows of rates and attitudes, 2.45 s>"
+    file = motion.save(tmp_path / "run.csv")
+    whole = twrench.Recording.read(file)
+    assert np.array_equal(whole.X, motion.X) and np.array_equal(whole.omega, motion.omega)
+    assert whole.check(BODY, fit=True).text == twrench.check(file, BODY, fit=True).text
+
+
+def test_a_recording_of_arrays_is_judged_as_they_are():
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(0.05 * np.arange(50))
+    for arrays in (
+        {"omega": motion.omega},
+        {"X": motion.X},
+        {"quaternion_wxyz": motion.quaternion_wxyz, "omega": motion.omega},
+    ):
+        recording = twrench.Recording(motion.t + 3, **arrays)
+        assert recording.check(BODY).passes and twrench.check([recording], BODY).passes
+        assert (recording.omega is None) == ("omega" not in arrays)
+        assert (recording.X is None) == (len(arrays) == 1 and "omega" in arrays)
+        assert recording.t[0] == 3
+    reversed_term = twrench.Recording(motion.t, omega=-motion.omega[::-1] * [1, 1, -1])
+    assert not reversed_term.check(twrench.Body(moments=[2, 3, 4.5])).passes
+
+
+def test_the_body_decides_how_a_recording_is_read():
+    motion = twrench.exact(BODY, [0.1, 1, 0.2]).at(0.05 * np.arange(50))
+    scalar_last = {"t": motion.t, "omega": motion.omega}
+    scalar_last |= dict(zip(("q0", "q1", "q2", "q3"), motion.quaternion_xyzw.T))
+    with pytest.raises(twrench.UsageError, match="2 ways; say which: columns={"):
+        twrench.Recording.read(scalar_last)
+    with pytest.raises(twrench.UsageError, match="fit as xyzw, space from body: add columns={"):
+        twrench.Recording.read(scalar_last, BODY)
+    momentum = {"t": motion.t, "L": motion.omega * [2, 3, 4]}
+    with pytest.raises(twrench.UsageError, match="give the body"):
+        twrench.Recording.read(momentum)
+    omega = twrench.Recording.read(momentum, BODY).omega
+    np.testing.assert_allclose(omega, motion.omega, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"t": [0, 1, 2]}, "must have omega, X or quaternion_wxyz"),
+        ({"t": [0, 1], "omega": np.ones((3, 3))}, r"omega: must be an array of shape \(2, 3\)"),
+        ({"t": [0, 1], "X": np.ones((2, 3))}, r"X: must be an array of shape \(2, 3, 3\)"),
+        ({"t": [1, 1], "omega": np.ones((2, 3))}, "the time 1 is that of the row before"),
+        ({"t": [0, 1], "X": -np.tile(np.eye(3), (2, 1, 1))}, "it is a reflection"),
+        ({"t": [0], "X": np.eye(3)[None], "quaternion_wxyz": [[1, 0, 0, 0]]}, "give one of the two"),
+        ({"t": [], "omega": np.ones((0, 3))}, "t: must have at least one time"),
+    ],
+)
+def test_wrong_recordings(arguments, message):
+    with pytest.raises(twrench.UsageError, match=message):
+        twrench.Recording(**arguments)
+
+
+def test_a_recording_is_read_once():
+    recording = twrench.Recording.read(rows(), columns=NAMES, units="deg")
+    with pytest.raises(twrench.UsageError, match="units: the recording was read already"):
+        twrench.check(recording, BODY, units="rad")
+    with pytest.raises(twrench.UsageError, match="read in different ways"):
+        twrench.check([recording, twrench.Recording.read(rows(), columns=NAMES)], BODY)

@@ -149,14 +149,17 @@ std::optional<Reading> unexpected(const recording::Recording& recording, const P
 }  // namespace
 
 Convention choose_convention(const recording::Recording& recording, const Convention& given,
-                             const Problem& problem) {
+                             const std::optional<Problem>& problem) {
   const table::Header& header = recording.header();
   std::vector<Convention> open = with_times(recording, recording::conventions(header, given));
-  for (Convention& convention : open) convention.inertia = problem.inertia;
+  if (problem) {
+    for (Convention& convention : open) convention.inertia = problem->inertia;
+  }
   if (open.size() == 1) return open.front();
-  std::optional<Reading> fitting = only_fitting(readings(recording, problem.inertia, open));
+  std::optional<Reading> fitting;
+  if (problem) fitting = only_fitting(readings(recording, problem->inertia, open));
   if (fitting && is_usual_order(header, open, fitting->convention)) return fitting->convention;
-  if (!fitting) fitting = unexpected(recording, problem, open);
+  if (problem && !fitting) fitting = unexpected(recording, *problem, open);
   if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;
   throw ambiguous(header, open, fitting);
 }

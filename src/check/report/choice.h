@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "check/verdict/problem.h"
 #include "recording/conventions/convention.h"
 #include "recording/recording.h"
@@ -8,8 +10,9 @@ namespace twrench::check {
 
 /// Returns the convention of a recording; `given` determines some of its aspects. Throws
 /// InvalidArgument if the names of the columns leave other aspects open. The remedy names the only
-/// reading that fits the physics, if there is one.
+/// reading that fits the physics of the body, if it is known and there is one.
 recording::Convention choose_convention(const recording::Recording& recording,
-                                        const recording::Convention& given, const Problem& problem);
+                                        const recording::Convention& given,
+                                        const std::optional<Problem>& problem);
 
 }  // namespace twrench::check

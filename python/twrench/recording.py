@@ -1,0 +1,306 @@
+"""Recorded motions: files, arrays and data frames, and how their numbers are read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Protocol, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments, _native
+from ._arguments import Array
+from .body import Body
+from .errors import UsageError
+from .motion import Motion
+from .names import Numbers, StrPath
+
+if TYPE_CHECKING:
+    from .check import Check
+
+__all__ = ["Recording"]
+
+RateAxes = Literal["body", "space"]
+TimeUnit = Literal["s", "ms", "us", "ns", "min", "h", "0.1ms"]
+RateUnit = Literal["rad", "deg", "rev", "rpm"]
+AngleUnit = Literal["rad", "deg"]
+
+
+class DataFrame(Protocol):
+    """A table with named columns, such as a DataFrame of pandas."""
+
+    @property
+    def columns(self) -> Any: ...
+    def __getitem__(self, name: Any, /) -> Any: ...
+
+
+#: A file, a motion, an array (n, k), or columns with names.
+Data = Union[StrPath, Motion, Mapping[str, Numbers], DataFrame, NDArray[Any]]
+#: The path of a file, or the name and the columns of a table.
+Source = Union[str, tuple[str, list[tuple[str, Array]]]]
+#: The fields of a convention by their names.
+Convention = dict[str, Union[str, bool, Array]]
+
+
+class Recording:
+    """A recorded motion at n times: rates, attitudes or both.
+
+    :meth:`read` makes one of a file or of columns in any convention; the constructor takes arrays in
+    twrench's. :func:`check` and :meth:`check` judge it.
+
+    :param t: times in s, (n,), ascending.
+    :param omega: angular velocities in body axes in rad/s, (n, 3); None if there are none.
+    :param X: attitudes space_from_body, (n, 3, 3); None if there are none.
+    :param quaternion_wxyz: the attitudes as quaternions (w, x, y, z), (n, 4), instead of ``X``.
+    :raises UsageError: for arrays of another shape, or a row that is no motion.
+    """
+
+    #: Times in s, (n,): as given to the constructor, or since the first row.
+    t: Array
+    #: Angular velocities in body axes in rad/s, (n, 3); None if there are none.
+    omega: Array | None
+    #: Attitudes space_from_body, (n, 3, 3); None if there are none. Quaternions are normalised.
+    X: Array | None
+    #: Time of the first row on the clock of a file in s; 0 for arrays.
+    start: float
+
+    def __init__(
+        self,
+        t: ArrayLike,
+        omega: ArrayLike | None = None,
+        X: ArrayLike | None = None,
+        *,
+        quaternion_wxyz: ArrayLike | None = None,
+    ) -> None:
+        if X is not None and quaternion_wxyz is not None:
+            raise UsageError("quaternion_wxyz: X gives the attitudes already", "give one of the two")
+        times = _arguments.array("t", t, (None,), "a one-dimensional array of times in s")
+        if not len(times):
+            raise UsageError("t: must have at least one time")
+        columns: dict[str, Array] = {"t": times}
+        parts: list[tuple[str, ArrayLike | None, tuple[int, ...], str]] = [
+            ("omega", omega, (3,), "wx wy wz"),
+            ("X", X, (3, 3), "x11 x12 x13 x21 x22 x23 x31 x32 x33"),
+            ("quaternion_wxyz", quaternion_wxyz, (4,), "qw qx qy qz"),
+        ]
+        for name, value, shape, ours in parts:
+            if value is None:
+                continue
+            form = f"an array of shape ({len(times)}, {', '.join(map(str, shape))})"
+            rows = _arguments.array(name, value, (len(times), *shape), form)
+            columns |= zip(ours.split(), rows.reshape(len(times), -1).T)
+        if len(columns) == 1:
+            raise UsageError("Recording: must have omega, X or quaternion_wxyz")
+        self._source: Source = ("recording", list(columns.items()))
+        self._convention: Convention = {}
+        self._read(None)
+        self.t, self.start = times, 0.0
+
+    @classmethod
+    def read(
+        cls,
+        data: Data,
+        body: Body | None = None,
+        *,
+        columns: Mapping[str, str] | Sequence[str] | None = None,
+        time_unit: TimeUnit | None = None,
+        units: RateUnit | None = None,
+        angle_units: AngleUnit | None = None,
+        sequence: str | None = None,
+        inverse: bool = False,
+        rates: RateAxes = "body",
+        axes: str | None = None,
+        offset: Numbers | None = None,
+    ) -> Recording:
+        """Reads a file or columns.
+
+        :param data: what :func:`check` takes: a file, a motion or columns. The arguments ``columns``,
+            ``time_unit``, ``units``, ``angle_units``, ``sequence``, ``inverse``, ``rates``, ``axes``
+            and ``offset`` are those of :func:`check`, too.
+        :param body: the body. It decides where the names of columns leave several readings, and
+            turns angular momentum into rates.
+        :raises UsageError: for a wrong argument, or data that can be read in several ways.
+        :raises FileError: if a file cannot be read or is not a table.
+        """
+        convention, of_array = convention_of(
+            columns, time_unit, units, angle_units, sequence, inverse, rates, axes, offset
+        )
+        recording = cls.__new__(cls)
+        recording._source = source_of("data", data, of_array)
+        recording._convention = convention
+        recording._read(None if body is None else _arguments.instance("body", body, Body))
+        return recording
+
+    def _read(self, body: Body | None) -> None:
+        inertia = None if body is None else body.inertia
+        self.start, self.t, omega, X = _native.read_recording(self._source, self._convention, inertia)
+        self.omega = omega if len(omega) else None
+        self.X = X.reshape(-1, 3, 3) if len(X) else None
+
+    @property
+    def quaternion_wxyz(self) -> Array | None:
+        """X as unit quaternions (w, x, y, z), (n, 4); None if there are no attitudes.
+
+        The sign of each quaternion is the one nearer to the previous row.
+        """
+        return None if self.X is None else np.roll(_native.quaternions(self.X), 1, axis=-1)
+
+    def check(self, body: Body | None = None, **options: Any) -> Check:
+        """Compares it with the exact motion, with the digits of the data that it was read from.
+
+        :param options: those of :func:`check` that are not about how data are read.
+        """
+        from .check import check
+
+        return check(self, body, **options)
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        parts = [("rates", self.omega), ("attitudes", self.X)]
+        names = " and ".join(name for name, part in parts if part is not None)
+        return f"<twrench.Recording: {len(self)} rows of {names}, {np.ptp(self.t):g} s>"
+
+
+def convention_of(
+    columns: Mapping[str, str] | Sequence[str] | None,
+    time_unit: TimeUnit | None,
+    units: RateUnit | None,
+    angle_units: AngleUnit | None,
+    sequence: str | None,
+    inverse: bool,
+    rates: RateAxes,
+    axes: str | None,
+    offset: Numbers | None,
+) -> tuple[Convention, list[Any] | None]:
+    """The fields that are given, and the names of the columns of an array."""
+    convention: Convention = {}
+    of_array = None
+    if isinstance(columns, Mapping):
+        convention["columns"] = _columns_text(columns)
+    elif columns is not None:
+        of_array = _arguments.sequence("columns", columns, "a mapping or a list of names")
+    if inverse:
+        convention["inverse"] = True
+    words = {
+        "time_unit": time_unit,
+        "units": units,
+        "angle_units": angle_units,
+        "rates": None if rates == "body" else rates,
+        "axes": axes,
+    }
+    for name, word in words.items():
+        if word is not None:
+            convention[name] = _arguments.text(name, word)
+    if sequence is not None:
+        convention["sequence"] = _sequence_of_program(sequence)
+    if offset is not None:
+        convention["offset"] = _arguments.array("offset", offset, (4,), "a quaternion (w, x, y, z)")
+    return convention, of_array
+
+
+def _sequence_of_program(sequence: str) -> str:
+    """The sequence of the program, whose axes turn with the body."""
+    axes = _arguments.euler_sequence("sequence", sequence)
+    if axes.isupper():
+        return axes.lower()
+    # Rotations about fixed axes are the reverse ones about axes that turn with the body. Each axis
+    # keeps its angle, unless two angles are about the same axis.
+    if axes[0] == axes[2]:
+        raise UsageError(
+            f"sequence: cannot be {axes!r}, with fixed axes",
+            f"exchange the first and the third angle, and use {axes.upper()!r}",
+        )
+    return axes[::-1]
+
+
+def _columns_text(columns: Mapping[str, str]) -> str:
+    quoted = {
+        _arguments.text("columns", ours): _arguments.text("columns", theirs).replace('"', '""')
+        for ours, theirs in columns.items()
+    }
+    return ",".join(f'{ours}="{theirs}"' for ours, theirs in quoted.items())
+
+
+def source_of(name: str, data: Any, of_array: list[Any] | None = None) -> Source:
+    """A path, or the name and the columns of a table. `of_array` are the names of an array's columns."""
+    is_array = isinstance(data, np.ndarray) and data.dtype.names is None
+    if of_array is not None and not is_array:
+        raise UsageError(
+            f"columns: must be a mapping of our names to those of {name}, "
+            f"not {_arguments.brief(of_array)}"
+        )
+    if is_array:
+        columns = _columns_of_array(name, data, of_array)
+    elif isinstance(data, np.ndarray):
+        columns = _columns_of_mapping(name, {key: data[key] for key in data.dtype.names})
+    elif isinstance(data, Mapping):
+        columns = _columns_of_mapping(name, data)
+    elif isinstance(data, Motion):
+        columns = _columns_of_motion(name, data)
+    elif hasattr(data, "columns"):
+        columns = _columns_of_frame(name, data)
+    else:
+        return _arguments.path(name, data)
+    if not columns:
+        raise UsageError(f"{name}: must have columns")
+    if "" in columns:
+        raise UsageError(f"{name}: has a column without a name")
+    if len({len(column) for column in columns.values()}) != 1:
+        raise UsageError(f"{name}: must have columns of the same length")
+    return name, list(columns.items())
+
+
+def _columns_of_motion(name: str, motion: Motion) -> dict[str, Array]:
+    if not motion._free_body.is_rigid:
+        raise UsageError(
+            f"{name}: a check needs the closed form of a rigid body's motion",
+            "use a body without a wheel and energy loss",
+        )
+    t, X, omega = motion._samples()
+    columns = {"t": t}
+    for i in range(3):
+        columns |= {f"x{i + 1}{j + 1}": X[:, i, j] for j in range(3)}
+    return columns | {f"w{axis}": omega[:, i] for i, axis in enumerate("xyz")}
+
+
+def _columns_of_mapping(name: str, data: Mapping[Any, Any]) -> dict[str, Array]:
+    """Each number of a row is a column: ``omega[0]``, ``X[0][2]``."""
+    columns: dict[str, Array] = {}
+    for key, value in data.items():
+        label = _arguments.text(name, key)
+        shape: tuple[int, ...] = value.shape if isinstance(value, np.ndarray) else ()
+        wanted = (None,) * len(shape) if len(shape) in (2, 3) and shape[1] > 1 else (None,)
+        form = "a one-dimensional array of numbers, or one of vectors or matrices"
+        numbers = _arguments.array(f"{name}[{key!r}]", value, wanted, form)
+        each_row = list(np.ndindex(numbers.shape[1:]))
+        flat = numbers.reshape(len(numbers), len(each_row))
+        for column, indices in enumerate(each_row):
+            columns[label + "".join(f"[{i}]" for i in indices)] = flat[:, column]
+    return columns
+
+
+def _columns_of_array(name: str, data: Any, names: list[Any] | None) -> dict[str, Array]:
+    """Without names they are those of a file without names: #1, #2 ..."""
+    numbers = _arguments.array(name, data, (None, None), "an array of numbers of shape (n, k)")
+    count = numbers.shape[1]
+    if names is None:
+        names = [f"#{i + 1}" for i in range(count)]
+    if len(names) != count or len(set(map(str, names))) != count:
+        raise UsageError(
+            f"columns: must be {count} different names for the columns of {name}, "
+            f"not {_arguments.brief(names)}"
+        )
+    return {_arguments.text("columns", key): numbers[:, i] for i, key in enumerate(names)}
+
+
+def _columns_of_frame(name: str, data: Any) -> dict[str, Array]:
+    """The columns of numbers. Those that the check does not use may have any values."""
+    columns = {
+        _arguments.text(name, str(label)): np.asarray(data[label]) for label in data.columns
+    }
+    return {
+        label: np.array(column, dtype=np.float64)
+        for label, column in columns.items()
+        if column.dtype.kind in "fiu" and column.ndim == 1
+    }
