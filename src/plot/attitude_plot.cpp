@@ -7,6 +7,7 @@
 
 #include "base/time_unit.h"
 #include "plot/panels.h"
+#include "scene/phrase.h"
 
 namespace twrench::plot {
 namespace {
@@ -74,10 +75,10 @@ std::string ranges(double end, const TimeUnit& unit) {
 }
 
 /// Labels the y axis in the first column of panels, the time axis in the last row.
-std::string outer_axes(int column, bool last_row, const TimeUnit& unit) {
+std::string outer_axes(int column, bool last_row, const TimeUnit& unit, scene::Language language) {
   return fmt::format("set format y '{}'\nset format x '{}'\n{} xlabel {}\n",
                      column == 0 ? "%g" : "", last_row ? "%g" : "", last_row ? "set" : "unset",
-                     last_row ? fmt::format("'t ({})' offset 0, 0.3", unit.name) : "");
+                     last_row ? fmt::format("'{}' offset 0, 0.3", time_label(unit, language)) : "");
 }
 
 /// Plots one component of X, `column` of the data, for all curves.
@@ -103,7 +104,7 @@ std::string plot_column(std::size_t curve, int column) {
 
 }  // namespace
 
-Plot nine_panels(std::span<const AttitudeCurve> curves) {
+Plot nine_panels(std::span<const AttitudeCurve> curves, scene::Language language) {
   const double end = end_of(curves);
   const TimeUnit unit = time_unit(end);
   // With one motion the key is short. The plot is then smaller, so that its letters are larger in a
@@ -118,12 +119,13 @@ Plot nine_panels(std::span<const AttitudeCurve> curves) {
     script += flip_lines(curves[c], unit, flip_color);
     keys += line_key(color_of(c), curves[c].title);
     if (!curves[c].flips.empty()) {
-      keys += flip_key(flip_color, single ? "flips" : "flips of " + curves[c].title);
+      keys += flip_key(flip_color, single ? scene::Phrase("flips", "vendinger").in(language)
+                                          : "flips of " + curves[c].title);
     }
   }
   for (int i = 0; i < 9; ++i) {
     const int row = i / 3, column = i % 3;
-    script += grid(plot, 3).place(row, column) + outer_axes(column, row == 2, unit);
+    script += grid(plot, 3).place(row, column) + outer_axes(column, row == 2, unit, language);
     script += fmt::format("set title 'x_{{{}{}}}' offset 0, -0.7\n", row + 1, column + 1);
     script += plot_component(curves.size(), 2 + i);
   }
@@ -146,7 +148,8 @@ Plot column_panels(std::span<const AttitudeCurve> curves) {
     script +=
         fmt::format("set ylabel {} noenhanced offset 1.2, 0\n", gnuplot_string(curves[c].title));
     for (int column = 0; column < 3; ++column) {
-      script += grid(plot, rows).place(row, column) + outer_axes(column, row == rows - 1, unit);
+      script += grid(plot, rows).place(row, column) +
+                outer_axes(column, row == rows - 1, unit, scene::Language::en);
       script += fmt::format(
           "set title '{{/:Bold "
           "{0}}}_{{b}}\u00a0=\u00a0(x_{{1{1}}},\u00a0x_{{2{1}}},\u00a0x_{{3{1}}})' "

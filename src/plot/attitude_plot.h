@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plot/gnuplot.h"
+#include "scene/scene.h"
 
 namespace twrench::plot {
 
@@ -21,8 +22,9 @@ struct AttitudeCurve {
 };
 
 /// Returns the nine components of X against time, one panel each, with one colour per curve. There
-/// must be at least one curve.
-Plot nine_panels(std::span<const AttitudeCurve> curves);
+/// must be at least one curve. `language` is that of the words beside a single curve.
+Plot nine_panels(std::span<const AttitudeCurve> curves,
+                 scene::Language language = scene::Language::en);
 
 /// Returns one panel per column of X with its three components, and one row of panels per curve.
 Plot column_panels(std::span<const AttitudeCurve> curves);

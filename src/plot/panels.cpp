@@ -14,6 +14,11 @@ std::string PanelGrid::place(int row, int column) const {
       x / width, (x + w) / width, y / height, (y + h) / height);
 }
 
+std::string time_label(const TimeUnit& unit, scene::Language language) {
+  // The names of units are English, the symbols international.
+  return fmt::format("t ({})", language == scene::Language::en ? unit.name : unit.symbol);
+}
+
 std::string key_plot(const std::string& entries, int columns, double height) {
   return fmt::format(
       "unset border\nunset tics\nunset grid\nunset title\nunset xlabel\nunset ylabel\n"

@@ -3,6 +3,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/time_unit.h"
+#include "scene/scene.h"
+
 namespace twrench::plot {
 
 /// Panels of equal size in rows and columns, with margins in pixels.
@@ -34,6 +37,9 @@ inline constexpr std::string_view diagram_style =
     "set tics nomirror scale 0.5 textcolor rgb '#404040'\n"
     "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
     "set key off\n";
+
+/// Returns the label of a time axis, as "t (s)".
+std::string time_label(const TimeUnit& unit, scene::Language language);
 
 /// Returns a key across the full width, which must be the last plot: `entries`, each ", keyentry
 /// ...", in at most the given number of columns, centred at `height` (0 to 1) above the lower edge.

@@ -10,9 +10,16 @@
 
 #include "base/time_unit.h"
 #include "plot/panels.h"
+#include "scene/phrase.h"
 
 namespace twrench::plot {
 namespace {
+
+using scene::Language;
+using scene::Phrase;
+
+constexpr Phrase error_at{"error of X at {}", "feil i X ved {}"};
+constexpr Phrase relative_drift{"energy drift (relative)", "energidrift (relativ)"};
 
 constexpr std::array<int, 13> symbols{6, 4, 8, 10, 12, 2, 1, 7, 5, 9, 11, 13, 3};
 
@@ -172,19 +179,20 @@ class OrderDiagram {
   std::vector<Eigen::Vector2d> taken_;
 };
 
-/// The methods' step sizes and tolerances in the drift diagram.
-std::string drift_title(const study::Study& study) {
+/// The title of the drift diagram: the methods' step sizes and tolerances.
+std::string drift_title(const study::Study& study, Language language) {
   std::string step, tolerance;
   for (const study::MethodStudy& m : study.methods) {
     if (!has_ladder(m)) continue;
     const study::StudyRun& run = middle(m);
     if (run.tolerance) {
-      tolerance = fmt::format("tolerance {:.3g}", *run.tolerance);
+      tolerance = Phrase("tolerance {:.3g}", "toleranse {:.3g}").in(language, *run.tolerance);
     } else {
-      step = fmt::format("step {:.4g} s", run.step);
+      step = Phrase("step {:.4g} s", "steg {:.4g} s").in(language, run.step);
     }
   }
-  return step + (step.empty() || tolerance.empty() ? "" : ", ") + tolerance;
+  return Phrase("Energy: ", "Energi: ").in(language) + step +
+         (step.empty() || tolerance.empty() ? "" : ", ") + tolerance;
 }
 
 std::string brief_time(double t) {
@@ -225,55 +233,57 @@ std::string run_range(const study::Study& study, double study::StudyRun::*member
   return decades(values);
 }
 
-std::string order_panel(const study::Study& study, const PanelGrid& grid) {
+std::string order_panel(const study::Study& study, const PanelGrid& grid, Language language) {
   return fmt::format("set format '10^{{%T}}'\nset logscale xy\nset yrange [{}:{}]\n", lowest_error,
                      highest_error) +
          OrderDiagram(study, grid.panel_width(), grid.panel_height()).slopes() +
-         fmt::format(
-             "set title 'Order'\nset xlabel 'step h (s)'\n"
-             "set ylabel 'error of X at {}' offset 1.5, 0\n",
-             brief_time(study.early)) +
+         fmt::format("set title '{}'\nset xlabel '{}'\nset ylabel '{}' offset 1.5, 0\n",
+                     Phrase("Order", "Orden").in(language),
+                     Phrase("step h (s)", "steg h (s)").in(language),
+                     error_at.in(language, brief_time(study.early))) +
          run_curves(study, "run", "1:2", true) + "unset arrow\nunset label\n";
 }
 
-std::string work_panel(const study::Study& study) {
+std::string work_panel(const study::Study& study, Language language) {
   return fmt::format(
-             "set xrange {}\nset title 'Work and precision'\nset xlabel 'CPU time (ms)'\n"
-             "set ylabel 'error of X at {}' offset 1.5, 0\n",
-             run_range(study, &study::StudyRun::cpu_seconds, 1e3), brief_time(study.duration)) +
+             "set xrange {}\nset title '{}'\nset xlabel '{}'\nset ylabel '{}' offset 1.5, 0\n",
+             run_range(study, &study::StudyRun::cpu_seconds, 1e3),
+             Phrase("Work and precision", "Arbeid og nøyaktighet").in(language),
+             Phrase("CPU time (ms)", "prosessortid (ms)").in(language),
+             error_at.in(language, brief_time(study.duration))) +
          run_curves(study, "run", "3:4", true);
 }
 
 /// The broad line shows where the error and the drift are equal.
-std::string energy_panel(const study::Study& study) {
-  return fmt::format(
-             "set xrange {}\nset title 'Error against energy'\n"
-             "set xlabel 'energy drift (relative)'\n",
-             run_range(study, &study::StudyRun::energy_drift, 1)) +
+std::string energy_panel(const study::Study& study, Language language) {
+  return fmt::format("set xrange {}\nset title '{}'\nset xlabel '{}'\n",
+                     run_range(study, &study::StudyRun::energy_drift, 1),
+                     Phrase("Error against energy", "Feil mot energi").in(language),
+                     relative_drift.in(language)) +
          run_curves(study, "run", "5:4", true, "x with lines lw 5 lc rgb '#e4e4e4' notitle, ");
 }
 
-std::string drift_panel(const study::Study& study, const TimeUnit& unit) {
+std::string drift_panel(const study::Study& study, const TimeUnit& unit, Language language) {
   return fmt::format(
              "unset logscale x\nset format x '%g'\nset yrange {}\nset xrange [0:{:.7g}]\n"
-             "set title {}\nset xlabel 't ({})'\nset ylabel 'energy drift (relative)' offset 1.5, "
-             "0\n",
+             "set title {}\nset xlabel '{}'\nset ylabel '{}' offset 1.5, 0\n",
              drift_range(study), study.duration / unit.length,
-             gnuplot_string("Energy: " + drift_title(study)), unit.name) +
+             gnuplot_string(drift_title(study, language)), time_label(unit, language),
+             relative_drift.in(language)) +
          run_curves(study, "drift", "1:2", false);
 }
 
 }  // namespace
 
-Plot study_plot(const study::Study& study) {
+Plot study_plot(const study::Study& study, Language language) {
   const TimeUnit unit = time_unit(study.duration);
   Plot plot{900, 960, data(study, unit)};
   const PanelGrid grid{plot.width, plot.height, 2, 2, 80, 18, 158, 36, 88, 106};
   plot.script.append(diagram_style)
-      .append("set multiplot\n" + grid.place(0, 0) + order_panel(study, grid))
-      .append(grid.place(0, 1) + work_panel(study))
-      .append(grid.place(1, 0) + energy_panel(study))
-      .append(grid.place(1, 1) + drift_panel(study, unit))
+      .append("set multiplot\n" + grid.place(0, 0) + order_panel(study, grid, language))
+      .append(grid.place(0, 1) + work_panel(study, language))
+      .append(grid.place(1, 0) + energy_panel(study, language))
+      .append(grid.place(1, 1) + drift_panel(study, unit, language))
       .append(key_plot(key_entries(study), 4, 50.0 / plot.height) + "unset multiplot\n");
   return plot;
 }

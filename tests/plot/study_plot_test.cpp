@@ -64,6 +64,10 @@ TEST(StudyPlot, HasTimesInAUnitThatReadsWell) {
                                                        testing::HasSubstr("set xrange [0:20]"),
                                                        testing::HasSubstr("error of X at 120 min'"),
                                                        testing::HasSubstr("error of X at 20 d'")));
+  EXPECT_THAT(study_plot(study, scene::Language::nb).script,
+              testing::AllOf(testing::HasSubstr("set xlabel 't (d)'"),
+                             testing::HasSubstr("feil i X ved 120 min'"),
+                             testing::HasSubstr("feil i X ved 20 d'")));
 }
 
 constexpr double width = 357, height = 330;  // of the panel of orders in pixels
