@@ -181,6 +181,10 @@ Texts report_command(const std::vector<ReportedScene>& scenes, const ReportOptio
                                    {"omega", "attitude", "wheel", "energy_loss_time", "method",
                                     "step", "tolerance", "duration", "fps", "speed"}));
   }
+  for (const auto& [scene, original, source] : scenes) {
+    if (scene.language_tag == "en" && original.language_tag == "en") continue;
+    append_missing(command, {"--language", scene.language_tag});
+  }
   if (!options.author.empty()) command.insert(command.end(), {"--author", options.author});
   if (!options.date.empty()) command.insert(command.end(), {"--date", options.date});
   if (options.is_static) command.emplace_back("--static");
@@ -209,9 +213,11 @@ Texts write_report(const std::vector<ReportedScene>& scenes, Output& output,
       notes = page.page.notes;
       viewer = {std::move(page.page.html), std::move(page.policy), std::move(page.poster)};
     }
+    const std::string note = report::note_on_language(experiments);
+    if (!note.empty()) notes.push_back(note);
     const report::Document document{
-        scenes.size() > 1 ? "The motion of a free rigid body"
-                          : experiments.front().scene.shown_title(),
+        experiments.front().scene.language,
+        report::title_of(experiments),
         text::escape(author),
         text::escape(date),
         text::escape(system::shell_command(

@@ -147,6 +147,7 @@ class Recording:
     def check(self, body: Body | None = None, **options: Any) -> Check:
         """Compares it with the exact motion, with the digits of the data that it was read from.
 
+        :param body: the body, unless ``case`` gives it.
         :param options: those of :func:`check` that are not about how data are read.
         """
         from .check import check

@@ -366,6 +366,8 @@ class Scene:
         return scene
 
     def _set_all(self, values: dict[str, Any]) -> None:
+        if "language" in values:  # of the title that a body gets
+            self.language = values["language"]
         if "body" in values:  # first, because it resets the title and the times
             self.body = values["body"]
         for key, value in values.items():
@@ -619,6 +621,8 @@ class Scene:
         overwrite: bool = False,
     ) -> Path:
         """Writes a report on the motion, as ``twrench report`` does: theory, tables and figures.
+
+        It is in the language of the scene, English or Norwegian.
 
         :param path: the file, .html or .md; the figures of a Markdown report are files beside it.
         :param author: name of the author, shown below the title.

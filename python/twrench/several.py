@@ -7,8 +7,8 @@ from typing import Any, Sequence
 
 from . import _arguments, _native
 from .errors import UsageError
-from .names import StrPath
-from .scene import Scene, output_of_all, write_report
+from .names import LanguageName, StrPath
+from .scene import UNSET, Scene, output_of_all, write_report
 
 __all__ = ["plot", "report"]
 
@@ -45,6 +45,7 @@ def report(
     *,
     author: str = "",
     date: str = "",
+    language: LanguageName | str = UNSET,
     static: bool = False,
     overwrite: bool = False,
     **values: Any,
@@ -55,6 +56,7 @@ def report(
     :param scenes: names or files of scenes; None for the tasks of the course, which have their own.
     :param author: name of the author, shown below the title.
     :param date: date below the title, in any form.
+    :param language: language of the report, en or nb; that of the first scene unless given.
     :param static: leave out the interactive page, which is that of the first scene.
     :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
     :param values: values that replace those of each scene, as in :class:`Scene`.
@@ -68,7 +70,9 @@ def report(
     if scenes is None and values:
         raise UsageError(f"{next(iter(values))}: is for scenes, and the tasks have their own")
     names = _TASKS if scenes is None else _arguments.sequence("scenes", scenes, _NAMES)
-    reported = [Scene(_arguments.path("scenes", name), **values) for name in names]
+    reported = [
+        Scene(_arguments.path("scenes", name), language=language, **values) for name in names
+    ]
     if not reported:
         raise UsageError("scenes: must have at least one scene")
     return write_report(

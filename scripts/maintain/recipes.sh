@@ -56,11 +56,11 @@ follow() {
   done <"$home/files.new"
 }
 
-targets=(twrench twrench_python random_views architecture_test golden_test motion_test page_test picture_test recording_test
-  recipes_test scene_test video_test)
+targets=(twrench twrench_python random_views architecture_test golden_test motion_test page_test picture_test
+  recipes_test recording_test report_test scene_test video_test)
 
 # The tests that the recipes name.
-tests='^((architecture|golden|motion|page|picture|recording|scene|video)_test|.*Recipe\..*|python.(mesh|film|docs|typing))$'
+tests='^((architecture|golden|motion|page|picture|recording|report|scene|video)_test|.*Recipe\..*|python.(mesh|film|docs|typing))$'
 
 build() {
   local page=$copy/build/page

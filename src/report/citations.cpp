@@ -49,13 +49,20 @@ std::string Citations::cite(std::string_view reference) {
 }
 
 std::string Citations::specification() {
-  return cite("H. J. Rivertz, Rotasjon av stive legemer, project in TDAT3024 (NTNU, 2020)");
+  return cite(Phrase("H. J. Rivertz, Rotasjon av stive legemer, project in TDAT3024 (NTNU, 2020)",
+                     "H. J. Rivertz, Rotasjon av stive legemer, prosjektoppgave i TDAT3024 (NTNU, "
+                     "2020)"));
 }
 
 std::string Citations::cite_method(std::string_view source) {
   constexpr std::string_view ours = "specification";
   if (source.starts_with(ours)) {
-    return specification() + std::string(source.substr(ours.size()));
+    std::string place(source.substr(ours.size()));
+    constexpr std::string_view equation = "eq.";
+    if (const std::size_t at = place.find(equation); at != std::string::npos) {
+      place.replace(at, equation.size(), Phrase("eq.", "likning").in(language_));
+    }
+    return specification() + place;
   }
   return cite(complete_reference(source.substr(0, source.find("; docs/"))));
 }
@@ -63,7 +70,8 @@ std::string Citations::cite_method(std::string_view source) {
 Section Citations::references() const {
   List list;
   for (const std::string& reference : cited_) list.items.push_back(reference + ".");
-  return {.heading = "References", .content = {std::move(list)}};
+  return {.heading = Phrase("References", "Referanser").in(language_),
+          .content = {std::move(list)}};
 }
 
 }  // namespace twrench::report

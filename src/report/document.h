@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "plot/gnuplot.h"
+#include "scene/phrase.h"
 
 namespace twrench::report {
+
+using scene::Language;
+using scene::Phrase;
 
 /// A paragraph of plain text.
 struct Paragraph {
@@ -53,8 +57,13 @@ struct Section {
   std::vector<std::variant<Paragraph, Subheading, Table, Figure, Formula, List>> content;
 };
 
+/// The labels of tables and figures, with their numbers.
+inline constexpr Phrase table_number{"Table {}.", "Tabell {}."};
+inline constexpr Phrase figure_number{"Figure {}.", "Figur {}."};
+
 /// A report, independent of the format of its file.
 struct Document {
+  Language language = Language::en;  ///< Of all its texts.
   std::string title;
   std::string author;   ///< May be empty.
   std::string date;     ///< May be empty.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/enumeration.h"
 #include "embedded/report_style.h"
 #include "report/mathml.h"
 
@@ -51,16 +52,16 @@ std::string inline_svg(std::string svg, const std::string& prefix) {
 /// Writes the parts of a section.
 class HtmlWriter {
  public:
-  explicit HtmlWriter(const Write& write) : write_(write) {}
+  HtmlWriter(Language language, const Write& write) : language_(language), write_(write) {}
 
   void operator()(const Paragraph& paragraph) { write_("<p>" + html(paragraph.text) + "</p>\n"); }
 
   void operator()(const Subheading& heading) { write_("<h3>" + html(heading.text) + "</h3>\n"); }
 
   void operator()(const Table& table) {
-    write_(fmt::format(
-        "<figure class=\"table\"><table>\n<caption><b>Table {}.</b> {}</caption>\n<thead><tr>",
-        ++tables_, html(table.caption)));
+    write_(
+        fmt::format("<figure class=\"table\"><table>\n<caption><b>{}</b> {}</caption>\n<thead><tr>",
+                    table_number.in(language_, ++tables_), html(table.caption)));
     const auto align = [&](std::size_t i) {
       return i < table.text_columns ? " class=\"words\"" : "";
     };
@@ -84,8 +85,9 @@ class HtmlWriter {
     ++figures_;
     write_(fmt::format("<figure role=\"group\" aria-label=\"{}\">\n", html(figure.caption)));
     write_(inline_svg(plot::svg(figure.plot), fmt::format("figure{}-", figures_)));
-    write_(fmt::format("<figcaption><b>Figure {}.</b> {}</figcaption>\n{}</figure>\n", figures_,
-                       html(figure.caption), command_html(figure.command)));
+    write_(fmt::format("<figcaption><b>{}</b> {}</figcaption>\n{}</figure>\n",
+                       figure_number.in(language_, figures_), html(figure.caption),
+                       command_html(figure.command)));
   }
 
   void operator()(const Formula& formula) {
@@ -102,6 +104,7 @@ class HtmlWriter {
   }
 
  private:
+  Language language_;
   const Write& write_;
   int tables_ = 0, figures_ = 0, formulas_ = 0;
 };
@@ -121,10 +124,11 @@ std::string byline(const Document& document) {
 
 void write_head(const Document& document, const Viewer* viewer, const Write& write) {
   write(
-      fmt::format("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
+      fmt::format("<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
                   "<meta name=\"viewport\" content=\"width=device-width\">\n"
                   "<meta name=\"generator\" content=\"{}\">\n",
-                  viewer ? viewer->policy : own_policy, html(document.program)));
+                  enumerator_name(document.language), viewer ? viewer->policy : own_policy,
+                  html(document.program)));
   if (!document.author.empty()) {
     write(fmt::format("<meta name=\"author\" content=\"{}\">\n", html(document.author)));
   }
@@ -140,12 +144,13 @@ void write_head(const Document& document, const Viewer* viewer, const Write& wri
 void write_html(const Document& document, const Viewer* viewer, const Write& write) {
   write_head(document, viewer, write);
   if (viewer != nullptr) {
-    write("<div class=\"viewer\">" + viewer->poster +
-          "<iframe title=\"The motion\" sandbox=\"allow-scripts allow-downloads\" srcdoc=\"");
+    write("<div class=\"viewer\">" + viewer->poster + "<iframe title=\"" +
+          Phrase("The motion", "Bevegelsen").in(document.language) +
+          "\" sandbox=\"allow-scripts allow-downloads\" srcdoc=\"");
     write(html(viewer->page));
     write("\"></iframe></div>\n");
   }
-  HtmlWriter writer(write);
+  HtmlWriter writer(document.language, write);
   for (const Section& section : document.sections) {
     write("<section>\n<h2>" + html(section.heading) + "</h2>\n");
     for (const auto& part : section.content) std::visit(writer, part);

@@ -52,15 +52,16 @@ std::string link_destination(std::string_view file) {
 /// Writes the parts of a section.
 class MarkdownWriter {
  public:
-  MarkdownWriter(const FigureFiles& files, const Write& write) : files_(files), write_(write) {}
+  MarkdownWriter(Language language, const FigureFiles& files, const Write& write)
+      : language_(language), files_(files), write_(write) {}
 
   void operator()(const Paragraph& paragraph) { write_(markdown(paragraph.text) + "\n\n"); }
 
   void operator()(const Subheading& heading) { write_("### " + markdown(heading.text) + "\n\n"); }
 
   void operator()(const Table& table) {
-    write_(fmt::format("**Table {}.** {}\n\n{}|", ++tables_, markdown(table.caption),
-                       line_of(table.header)));
+    write_(fmt::format("**{}** {}\n\n{}|", table_number.in(language_, ++tables_),
+                       markdown(table.caption), line_of(table.header)));
     for (std::size_t i = 0; i < table.header.size(); ++i) {
       write_(i < table.text_columns ? "---|" : "---:|");
     }
@@ -72,8 +73,9 @@ class MarkdownWriter {
   void operator()(const Figure& figure) {
     const system::OutputFile& file = files_[pending_.size()];
     pending_.push_back(plot::draw_pending_plot(file, figure.plot));
-    write_(fmt::format("![{0}]({1})\n\n**Figure {2}.** {0}\n{3}", markdown(figure.caption),
-                       link_destination(file.path().filename().string()), pending_.size(),
+    write_(fmt::format("![{0}]({1})\n\n**{2}** {0}\n{3}", markdown(figure.caption),
+                       link_destination(file.path().filename().string()),
+                       figure_number.in(language_, pending_.size()),
                        command_markdown({figure.command})));
   }
 
@@ -94,6 +96,7 @@ class MarkdownWriter {
   Figures figures() && { return std::move(pending_); }
 
  private:
+  Language language_;
   const FigureFiles& files_;
   const Write& write_;
   int tables_ = 0, formulas_ = 0;
@@ -125,10 +128,15 @@ FigureFiles files_of_figures(const Document& document, const system::OutputFile&
 
 Figures write_markdown(const Document& document, const FigureFiles& files, const Write& write) {
   write(fmt::format("# {}\n\n", markdown(document.title)));
-  if (!document.author.empty()) write("Author: " + markdown(document.author) + "\n\n");
-  if (!document.date.empty()) write("Date: " + markdown(document.date) + "\n\n");
+  const Language language = document.language;
+  if (!document.author.empty()) {
+    write(Phrase("Author: ", "Forfatter: ").in(language) + markdown(document.author) + "\n\n");
+  }
+  if (!document.date.empty()) {
+    write(Phrase("Date: ", "Dato: ").in(language) + markdown(document.date) + "\n\n");
+  }
   write(markdown(document.program) + "\n" + command_markdown({document.command}));
-  MarkdownWriter writer(files, write);
+  MarkdownWriter writer(language, files, write);
   for (const Section& section : document.sections) {
     write("## " + markdown(section.heading) + "\n\n");
     for (const auto& part : section.content) std::visit(writer, part);

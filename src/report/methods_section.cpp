@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "plot/study_plot.h"
 #include "report/numbers.h"
@@ -10,18 +12,60 @@
 namespace twrench::report {
 namespace {
 
-Table sources_table(const study::Study& study, Citations& citations) {
-  Table table{.caption = "The methods, their sources, and their orders on SO(3)",
-              .commands = {"twrench methods"},
-              .header = {"Method", "What it is", "Source", "Order", "Measured"},
-              .rows = {},
-              .text_columns = 3};
+constexpr Phrase method_label{"Method", "Metode"};
+
+/// The summaries of the methods in Norwegian, in the order of motion::methods(). Those in English
+/// are their own.
+constexpr auto norwegian_summaries = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"euler", "Eulers metode på selve matrisen; forlater SO(3); til sammenlikning"},
+    {"lie-euler", "Lie-Euler-metoden på gruppen: én eksponentialfunksjon per steg"},
+    {"midpoint", "den eksplisitte midtpunktsmetoden på gruppen"},
+    {"trapezoid", "den eksplisitte trapesmetoden på gruppen"},
+    {"rk4", "RK4 slik den står i oppgaveteksten: ingen kommutatorer, derfor orden 2 på SO(3)"},
+    {"rkf45",
+     "Runge-Kutta-Fehlberg slik den står i oppgaveteksten, adaptiv: ingen kommutatorer, derfor "
+     "orden 2 på "
+     "SO(3)"},
+    {"implicit-trapezoid", "symmetrisk; bevarer energien, bortsett fra avrunding"},
+    {"strang",
+     "oppdeling i rotasjoner om hovedaksene; bevarer Poisson-strukturen, begrenset energifeil"},
+    {"rkmk4", "RK4 fra oppgaveteksten med korreksjon for kommutatorer"},
+    {"rkmk45",
+     "RKF45 fra oppgaveteksten med korreksjon for kommutatorer, adaptiv; brukes om ingen annen er "
+     "valgt"},
+    {"cf4", "uten kommutatorer: produkter av to eksponentialfunksjoner"},
+    {"suzuki4", "fem implisitte trapessteg per steg; bevarer energien, bortsett fra avrunding"},
+    {"taylor",
+     "Taylor-rekke for dreieimpulsen og én vinkel, adaptiv; bevarer energien; den raskeste"},
+    {"exact",
+     "lukket form med elliptiske funksjoner og thetafunksjoner; like rask for alle tidspunkter t"},
+});
+
+std::string summary_in(Language language, const motion::Method& method) {
+  const auto found = std::ranges::find(norwegian_summaries, method.name,
+                                       [](const auto& entry) { return entry.first; });
+  const bool is_translated = language == Language::nb && found != norwegian_summaries.end();
+  return std::string(is_translated ? found->second : method.summary);
+}
+
+Table sources_table(const study::Study& study, Language language, Citations& citations) {
+  Table table{
+      .caption = Phrase("The methods, their sources, and their orders on SO(3)",
+                        "Metodene, kildene deres og ordenene deres på SO(3)")
+                     .in(language),
+      .commands = {"twrench methods"},
+      .header = {method_label.in(language), Phrase("What it is", "Beskrivelse").in(language),
+                 Phrase("Source", "Kilde").in(language), Phrase("Order", "Orden").in(language),
+                 Phrase("Measured", "Målt").in(language)},
+      .rows = {},
+      .text_columns = 3};
   for (const study::MethodStudy& m : study.methods) {
     const motion::Method& method = *m.method;
-    table.rows.push_back({std::string(method.name), std::string(method.summary),
-                          citations.cite_method(method.source),
-                          method.order ? fmt::to_string(*method.order) : "exact",
-                          measured_order(study, method.name)});
+    table.rows.push_back(
+        {std::string(method.name), summary_in(language, method),
+         citations.cite_method(method.source),
+         method.order ? fmt::to_string(*method.order) : Phrase("exact", "eksakt").in(language),
+         measured_order(study, method.name)});
   }
   return table;
 }
@@ -43,15 +87,24 @@ std::vector<std::string> row_of_method(const study::MethodStudy& m, const study:
 }
 
 Table results_table(const study::Study& study, const Experiment& studied) {
-  Table table{.caption = fmt::format("{}: each method at the middle of its ladder of steps or "
-                                     "tolerances. Error of X at {} s, largest energy drift, "
-                                     "error over drift, flips seen/predicted, and evaluations "
-                                     "of ω",
-                                     studied.scene.name, digits(study.duration)),
-              .commands = {studied.commands.study},
-              .header = {"Method", "Step, s", "Error of X", "Drift", "Error/drift", "‖XᵀX − Id‖",
-                         "Flips", "Evaluations", "CPU, ms"},
-              .rows = {}};
+  const Language language = studied.scene.language;
+  Table table{
+      .caption =
+          Phrase(
+              "{}: each method at the middle of its ladder of steps or tolerances. Error of X at "
+              "{} s, largest energy drift, error over drift, flips seen/predicted, and "
+              "evaluations of ω",
+              "{}: hver metode med det midterste av stegene eller toleransene. Feil i X ved {} s, "
+              "største energidrift, feil delt på drift, vendinger funnet/forutsagt, og antall "
+              "beregninger av ω")
+              .in(language, studied.scene.name, digits(study.duration)),
+      .commands = {studied.commands.study},
+      .header = {method_label.in(language), step_label.in(language),
+                 Phrase("Error of X", "Feil i X").in(language), "Drift",
+                 Phrase("Error/drift", "Feil/drift").in(language), "‖XᵀX − Id‖",
+                 Phrase("Flips", "Vendinger").in(language),
+                 Phrase("Evaluations", "Beregninger").in(language), "CPU, ms"},
+      .rows = {}};
   for (const study::MethodStudy& m : study.methods) table.rows.push_back(row_of_method(m, study));
   return table;
 }
@@ -69,18 +122,20 @@ std::vector<std::string> fixed_step_methods(const study::Study& study) {
 
 Section methods_section(const study::Study& study, const Experiment& studied,
                         Citations& citations) {
-  Section section{.heading = "All methods", .content = {}};
-  section.content.emplace_back(sources_table(study, citations));
+  const Language language = studied.scene.language;
+  Section section{.heading = Phrase("All methods", "Alle metodene").in(language), .content = {}};
+  section.content.emplace_back(sources_table(study, language, citations));
   section.content.emplace_back(results_table(study, studied));
   section.content.emplace_back(Figure{
       .name = "methods",
       .caption =
-          fmt::format("{}: order (error of X at {:.4g} s), work and precision (error of X at "
-                      "{} s), error of X against energy drift, and energy drift against "
-                      "time",
-                      studied.scene.name, study.early, digits(study.duration)),
+          Phrase("{}: order (error of X at {:.4g} s), work and precision (error of X at {} s), "
+                 "error of X against energy drift, and energy drift against time",
+                 "{}: orden (feil i X ved {:.4g} s), arbeid og nøyaktighet (feil i X ved {} s), "
+                 "feil i X mot energidrift, og energidrift mot tiden")
+              .in(language, studied.scene.name, study.early, digits(study.duration)),
       .command = studied.commands.diagrams,
-      .plot = plot::study_plot(study)});
+      .plot = plot::study_plot(study, language)});
   section.content.emplace_back(ladder_table(study, fixed_step_methods(study), studied));
   return section;
 }

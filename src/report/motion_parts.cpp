@@ -11,77 +11,101 @@
 #include "motion/phase.h"
 #include "plot/attitude_plot.h"
 #include "report/numbers.h"
+#include "report/sections.h"
 
 namespace twrench::report {
 namespace {
 
 constexpr std::size_t most_flips = 12;  // in a table
 
-const char* name_of(motion::ExactMotion::Kind kind) {
+Phrase name_of(motion::ExactMotion::Kind kind) {
   switch (kind) {
     case motion::ExactMotion::Kind::steady:
-      return "steady: ω is constant";
+      return {"steady: ω is constant", "jevn: ω er konstant"};
     case motion::ExactMotion::Kind::about_least:
-      return "L circles the axis of least moment";
+      return {"L circles the axis of least moment", "L kretser om aksen med minst treghetsmoment"};
     case motion::ExactMotion::Kind::about_greatest:
-      return "L circles the axis of greatest moment";
+      return {"L circles the axis of greatest moment",
+              "L kretser om aksen med størst treghetsmoment"};
     case motion::ExactMotion::Kind::separatrix:
       break;
   }
-  return "on the separatrix: L tends to the intermediate axis";
+  return {"on the separatrix: L tends to the intermediate axis",
+          "på separatrisen: L går mot den midterste aksen"};
 }
 
-void add_flip_rows(Table& table, const motion::ExactMotion::Flips& flips) {
+void add_flip_rows(Table& table, const motion::ExactMotion::Flips& flips, Language language) {
   table.rows.insert(
       table.rows.end(),
       {{"λ", digits(flips.rate), "1/s"},
        {"1 − m", digits(flips.mc), ""},
-       {flips.turns_over() ? "Time between flips, 2K(m)/λ" : "Time of half a wobble, 2K(m)/λ",
+       {(flips.turns_over()
+             ? Phrase("Time between flips, 2K(m)/λ", "Tid mellom vendinger, 2K(m)/λ")
+             : Phrase("Time of half a wobble, 2K(m)/λ", "Tid for en halv slingring, 2K(m)/λ"))
+            .in(language),
         digits(flips.interval), "s"},
-       {"Its limit near the separatrix, ln(16/(1 − m))/λ", digits(flips.asymptotic_interval), "s"},
-       {"First sign change of ω₂, t₁", digits(flips.first), "s"},
-       {"Swing of the intermediate axis", digits(flips.swing * 180 / std::numbers::pi),
-        "degrees"}});
+       {Phrase("Its limit near the separatrix, ln(16/(1 − m))/λ",
+               "Grenseverdien nær separatrisen, ln(16/(1 − m))/λ")
+            .in(language),
+        digits(flips.asymptotic_interval), "s"},
+       {Phrase("First sign change of ω₂, t₁", "Første fortegnsskifte for ω₂, t₁").in(language),
+        digits(flips.first), "s"},
+       {Phrase("Swing of the intermediate axis", "Utslaget til den midterste aksen").in(language),
+        digits(flips.swing * 180 / std::numbers::pi), Phrase("degrees", "grader").in(language)}});
 }
 
-void add_phase_rows(Table& table, const motion::FreeBody& body) {
+void add_phase_rows(Table& table, const motion::FreeBody& body, Language language) {
   const auto phase = motion::phase_of(body);
   if (!phase) return;
-  table.rows.insert(table.rows.end(),
-                    {{"Period P in which L returns in the body", digits(phase->period), "s"},
-                     {"Rotation about L in that time", digits(phase->total), "rad"},
-                     {body.is_rigid() ? "Its dynamic part, 2TP/|L|" : "Its dynamic part",
-                      digits(phase->dynamic), "rad"},
-                     {"Its geometric part", digits(phase->geometric()), "rad"}});
+  table.rows.insert(
+      table.rows.end(),
+      {{Phrase("Period P in which L returns in the body", "Periode P for L, sett fra legemet")
+            .in(language),
+        digits(phase->period), "s"},
+       {Phrase("Rotation about L in that time", "Rotasjon om L i den tiden").in(language),
+        digits(phase->total), "rad"},
+       {Phrase("Its dynamic part", "Den dynamiske delen").in(language) +
+            (body.is_rigid() ? ", 2TP/|L|" : ""),
+        digits(phase->dynamic), "rad"},
+       {Phrase("Its geometric part", "Den geometriske delen").in(language),
+        digits(phase->geometric()), "rad"}});
 }
 
 /// The number of steady rotations with this L, and the least energy.
-void add_steady_rows(Table& table, const motion::FreeBody& body) {
+void add_steady_rows(Table& table, const motion::FreeBody& body, Language language) {
   if (body.momentum().isZero()) return;
   const motion::EnergyContours contours(body);
   const double unit = std::pow(body.momentum().stableNorm(), 2) / body.principal().moments[0];
   const auto& equilibria = contours.equilibria();
-  table.rows.insert(table.rows.end(),
-                    {{"Steady rotations with this L", fmt::to_string(equilibria.size()), ""},
-                     {"Least energy with this L",
-                      digits(unit * contours.energy(equilibria.front().mu)), "g cm²/s²"}});
+  table.rows.insert(
+      table.rows.end(),
+      {{Phrase("Steady rotations with this L", "Jevne rotasjoner med denne L").in(language),
+        fmt::to_string(equilibria.size()), ""},
+       {Phrase("Least energy with this L", "Minste energi med denne L").in(language),
+        digits(unit * contours.energy(equilibria.front().mu)), "g cm²/s²"}});
 }
 
 void add_interior_rows(Table& table, const Solution& solution) {
   const motion::FreeBody& body = solution.body;
+  const Language language = solution.scene().language;
   const motion::Interior& interior = body.interior();
   if (!interior.wheel.isZero()) {
-    table.rows.push_back({"Wheel h, body axes", triple(interior.wheel), "g cm²/s"});
+    table.rows.push_back({Phrase("Wheel h, body axes", "Svinghjul h, legemets akser").in(language),
+                          triple(interior.wheel), "g cm²/s"});
   }
   if (body.energy_loss() > 0) {
     const motion::Sample& end = solution.reference.back();
     const double energy = body.energy(end.X.transpose() * body.momentum());
-    table.rows.insert(table.rows.end(),
-                      {{"Time of the energy loss τ", digits(interior.energy_loss_time), "s"},
-                       {"Coefficient a", digits(body.energy_loss()), "s/(g cm²)"},
-                       {"Energy T at the end", digits(energy), "g cm²/s²"}});
+    table.rows.insert(
+        table.rows.end(),
+        {{Phrase("Time of the energy loss τ", "Tidskonstant for energitapet τ").in(language),
+          digits(interior.energy_loss_time), "s"},
+         {Phrase("Coefficient a", "Koeffisient a").in(language), digits(body.energy_loss()),
+          "s/(g cm²)"},
+         {Phrase("Energy T at the end", "Energi T ved slutten").in(language), digits(energy),
+          "g cm²/s²"}});
   }
-  add_steady_rows(table, body);
+  add_steady_rows(table, body, language);
 }
 
 double flip_at(const std::vector<double>& flips, std::size_t i) {
@@ -100,7 +124,8 @@ NumericalSolution own_solution(const Solution& solution) {
   const motion::Method& method = *solution.own.methods.front().method;
   const motion::StepControl& control = solution.scene().motion.control;
   return {fmt::format("{}, {}", method.name,
-                      method.adaptive() ? fmt::format("tolerance {}", control.tolerance)
+                      method.adaptive() ? Phrase("tolerance {}", "toleranse {}")
+                                              .in(solution.scene().language, control.tolerance)
                                         : fmt::format("{} s", control.step)),
           &solution.run(), solution.experiment->commands.own_method};
 }
@@ -113,33 +138,48 @@ NumericalSolution rk4_solution(const PrintedSolution& solution) {
 
 Table constants_table(const Solution& solution) {
   const motion::FreeBody& body = solution.body;
+  const Language language = solution.scene().language;
   Table table{
-      .caption = "The motion: its constants",
+      .caption = Phrase("The motion: its constants", "Konstantene for bevegelsen").in(language),
       .commands = {solution.experiment->commands.start, solution.experiment->commands.constants},
-      .header = {"Quantity", "Value", "Unit"},
-      .rows = {{"ω at t = 0, body axes", triple(body.omega()), "rad/s"},
-               {"|ω| at t = 0", digits(body.omega().norm()), "rad/s"},
-               {body.is_rigid() ? "L = Iω(0), space axes" : "L, space axes",
+      .header = quantity_header(language),
+      .rows = {{Phrase("ω at t = 0, body axes", "ω ved t = 0, legemets akser").in(language),
+                triple(body.omega()), "rad/s"},
+               {Phrase("|ω| at t = 0", "|ω| ved t = 0").in(language), digits(body.omega().norm()),
+                "rad/s"},
+               {(body.is_rigid() ? "L = Iω(0)" : "L") +
+                    Phrase(", space axes", ", rommets akser").in(language),
                 triple(body.momentum()), "g cm²/s"},
-               {"Energy T", digits(motion::energy(body.inertia(), body.omega())), "g cm²/s²"},
-               {"Duration", digits(solution.scene().motion.duration), "s"}}};
-  if (solution.exact) table.rows.push_back({"Kind", name_of(solution.exact->kind()), ""});
+               {Phrase("Energy T", "Energi T").in(language),
+                digits(motion::energy(body.inertia(), body.omega())), "g cm²/s²"},
+               {Phrase("Duration", "Varighet").in(language),
+                digits(solution.scene().motion.duration), "s"}}};
+  if (solution.exact) {
+    table.rows.push_back(
+        {Phrase("Kind", "Type").in(language), name_of(solution.exact->kind()).in(language), ""});
+  }
   if (!body.is_rigid()) add_interior_rows(table, solution);
-  if (const auto flips = solution.flips()) add_flip_rows(table, *flips);
-  add_phase_rows(table, body);
+  if (const auto flips = solution.flips()) add_flip_rows(table, *flips, language);
+  add_phase_rows(table, body, language);
   return table;
 }
 
 Table flips_table(const Solution& solution, const std::vector<NumericalSolution>& solutions) {
   const std::vector<double>& predicted = solution.own.flip_times;
-  Table table{.caption = fmt::format("Flips: {} predicted", predicted.size()),
-              .commands = commands_of(solutions),
-              .header = {"Flip", "Predicted, s"},
-              .rows = {}};
+  const Language language = solution.scene().language;
+  Table table{
+      .caption =
+          Phrase("Flips: {} predicted", "Vendinger: {} forutsagt").in(language, predicted.size()),
+      .commands = commands_of(solutions),
+      .header = {Phrase("Flip", "Vending").in(language),
+                 Phrase("Predicted, s", "Forutsagt, s").in(language)},
+      .rows = {}};
   std::size_t rows = predicted.size();
   for (const NumericalSolution& s : solutions) {
-    table.caption += fmt::format(", {} seen in the solution of {}", s.run->flips.size(), s.name);
-    table.header.insert(table.header.end(), {s.name, "Difference, s"});
+    table.caption += Phrase(", {} seen in the solution of {}", ", {} funnet i løsningen med {}")
+                         .in(language, s.run->flips.size(), s.name);
+    table.header.insert(table.header.end(),
+                        {s.name, Phrase("Difference, s", "Avvik, s").in(language)});
     rows = std::max(rows, s.run->flips.size());
   }
   for (std::size_t i = 0; i < std::min(rows, most_flips); ++i) {
@@ -155,16 +195,22 @@ Table flips_table(const Solution& solution, const std::vector<NumericalSolution>
 }
 
 Table drift_table(const Solution& solution, const std::vector<NumericalSolution>& solutions) {
-  Table table{.caption = fmt::format("Drift in {} s: the largest of all steps, and the error of X "
-                                     "at the end",
-                                     digits(solution.own.duration)),
-              .commands = commands_of(solutions),
-              .header = {"Quantity"},
-              .rows = {{"Steps"},
-                       {solution.own.loses_energy ? "Energy error" : "Energy drift"},
-                       {"‖XᵀX − Id‖"},
-                       {"Momentum error"},
-                       {"Error of X at the end"}}};
+  const Language language = solution.scene().language;
+  Table table{
+      .caption = Phrase("Drift in {} s: the largest of all steps, and the error of X at the "
+                        "end",
+                        "Drift i løpet av {} s: den største av alle steg, og feilen i X ved "
+                        "slutten")
+                     .in(language, digits(solution.own.duration)),
+      .commands = commands_of(solutions),
+      .header = {quantity_header(language).front()},
+      .rows = {{Phrase("Steps", "Antall steg").in(language)},
+               {(solution.own.loses_energy ? Phrase("Energy error", "Energifeil")
+                                           : Phrase("Energy drift", "Energidrift"))
+                    .in(language)},
+               {"‖XᵀX − Id‖"},
+               {Phrase("Momentum error", "Feil i dreieimpulsen").in(language)},
+               {Phrase("Error of X at the end", "Feil i X ved slutten").in(language)}}};
   for (const NumericalSolution& s : solutions) {
     table.header.push_back(s.name);
     table.rows[0].push_back(fmt::to_string(s.run->steps));
@@ -187,10 +233,14 @@ Figure components_figure(const Solution& solution, std::vector<motion::Sample> s
     curve.flips = solution.own.flip_times;
   }
   return {.name = "components-" + scene.name,
-          .caption = scene.shown_title() + ": the nine components of X against time" +
-                     std::string(curve.flips.empty() ? "" : ", with the flips"),
+          .caption = (curve.flips.empty()
+                          ? Phrase("{}: the nine components of X against time",
+                                   "{}: de ni komponentene av X mot tiden")
+                          : Phrase("{}: the nine components of X against time, with the flips",
+                                   "{}: de ni komponentene av X mot tiden, med vendingene"))
+                         .in(scene.language, scene.shown_title()),
           .command = std::move(command),
-          .plot = plot::nine_panels({{curve}})};
+          .plot = plot::nine_panels({{curve}}, scene.language)};
 }
 
 }  // namespace twrench::report

@@ -48,8 +48,15 @@ struct Experiment {
   Commands commands;
 };
 
+/// Returns the title of a report: that of the only experiment, or of the subject of several.
+std::string title_of(std::span<const Experiment> experiments);
+
+/// Returns a note if the report is not in the language of the first scene; otherwise nothing.
+std::string note_on_language(std::span<const Experiment> experiments);
+
 /// Returns the report on motions: the equations, the bodies, each motion, the methods on the first
-/// of them, and references. All numbers are computed here. There must be at least one experiment.
+/// of them, and references. All numbers are computed here. There must be at least one experiment;
+/// the language of the first scene is that of the report.
 /// Throws MotionError if a scene's own method cannot compute its motion.
 std::vector<Section> report_on_motions(std::span<const Experiment> experiments);
 

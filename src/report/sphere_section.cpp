@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 #include <twrench/motion/method.h>
@@ -25,12 +24,15 @@ Eigen::Matrix3d sphere_attitude(double t) {
   return X;
 }
 
-Table sphere_table(const TaskCommands& commands) {
+Table sphere_table(const TaskCommands& commands, Language language) {
   const std::vector<double> times{1, 10, 100};
   const motion::ExactMotion exact(unit_sphere());
-  Table table{.caption = "The solution at three times, and the library's closed form",
+  Table table{.caption = Phrase("The solution at three times, and the library's closed form",
+                                "Løsningen ved tre tidspunkter, og programmets lukkede form")
+                             .in(language),
               .commands = {commands.sphere(times)},
-              .header = {"t, s", "cos t", "x₂₂", "sin t", "x₃₂", "Difference of X"},
+              .header = {"t, s", "cos t", "x₂₂", "sin t", "x₃₂",
+                         Phrase("Difference of X", "Avvik i X").in(language)},
               .rows = {}};
   for (const double t : times) {
     const Eigen::Matrix3d X = exact.at(t).X, ours = sphere_attitude(t);
@@ -41,17 +43,20 @@ Table sphere_table(const TaskCommands& commands) {
 }
 
 /// Lie-Euler and Euler on the sphere.
-Table sphere_errors_table(const TaskCommands& commands) {
+Table sphere_errors_table(const TaskCommands& commands, Language language) {
   study::StudyPlan plan;
   plan.methods = {&motion::find_method("lie-euler"), &motion::find_method("euler")};
   plan.steps = {0.1, 0.01, 0.001};
   plan.duration = 100;
   const study::Study study = study::run_study(unit_sphere(), plan);
   Table table{
-      .caption = "The sphere: errors after 100 s against the solution of task 2",
+      .caption = Phrase("The sphere: errors after 100 s against the solution of task 2",
+                        "Kulen: feil etter 100 s mot løsningen i oppgave 2")
+                     .in(language),
       .commands = {commands.sphere_study({"lie-euler", "euler"}, plan.steps, plan.duration)},
-      .header = {"Step, s", "Lie-Euler: error of X", "‖XᵀX − Id‖", "Euler: error of X",
-                 "‖XᵀX − Id‖"},
+      .header = {step_label.in(language),
+                 Phrase("Lie-Euler: error of X", "Lie-Euler: feil i X").in(language), "‖XᵀX − Id‖",
+                 Phrase("Euler: error of X", "Euler: feil i X").in(language), "‖XᵀX − Id‖"},
       .rows = {}};
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const study::StudyRun &lie = study.methods[0].runs[i], &linear = study.methods[1].runs[i];
@@ -63,51 +68,87 @@ Table sphere_errors_table(const TaskCommands& commands) {
 
 }  // namespace
 
-Section sphere_section(const TaskCommands& commands, Citations& citations) {
-  Section section{.heading = "Task 2: the sphere, exactly", .content = {}};
-  section.content.emplace_back(
-      Paragraph{fmt::format("For a sphere with I = Id, X(0) = Id and L = (1, 0, 0), eq. (19) of {} "
-                            "is ω = XᵀL. So Ω is the "
-                            "hat of XᵀL, and eq. (20) becomes",
-                            citations.specification())});
+Section sphere_section(const TaskCommands& commands, Language language, Citations& citations) {
+  Section section{
+      .heading = Phrase("Task 2: the sphere, exactly", "Oppgave 2: kulen, eksakt").in(language),
+      .content = {}};
+  section.content.emplace_back(Paragraph{
+      Phrase("For a sphere with I = Id, X(0) = Id and L = (1, 0, 0), eq. (19) of {} is ω = XᵀL. So "
+             "Ω is the hat of XᵀL, and eq. (20) becomes",
+             "For en kule med I = Id, X(0) = Id og L = (1, 0, 0) sier likning (19) i "
+             "{} at ω = XᵀL. Altså er Ω hattmatrisen til XᵀL, og likning (20) blir")
+          .in(language, citations.specification())});
   section.content.emplace_back(Formula{
       R"(\Omega = X^T \hat L X ,\quad \dot X = X \Omega = X X^T \hat L X = \hat L X)",
-      "because the hat of Rv, for a rotation R, is R v̂ Rᵀ: for every a, Rv × a = R(v × Rᵀa). "
-      "Here R = Xᵀ. X is a rotation at all times, because d(XXᵀ)/dt = XΩXᵀ + XΩᵀXᵀ = 0, as "
-      "Ωᵀ = −Ω."});
+      Phrase(
+          "because the hat of Rv, for a rotation R, is R v̂ Rᵀ: for every a, Rv × a = R(v × Rᵀa). "
+          "Here R = Xᵀ. X is a rotation at all times, because d(XXᵀ)/dt = XΩXᵀ + XΩᵀXᵀ = 0, as "
+          "Ωᵀ = −Ω.",
+          "fordi hattmatrisen til Rv, for en rotasjon R, er R v̂ Rᵀ: For alle a er Rv × a = R(v × "
+          "Rᵀa). Her er R = Xᵀ. X er en rotasjon til alle tider, fordi d(XXᵀ)/dt = XΩXᵀ + XΩᵀXᵀ "
+          "= 0, siden Ωᵀ = −Ω.")
+          .in(language)});
   section.content.emplace_back(Paragraph{
-      "This is a linear equation with constant coefficients. Its right-hand side is Lipschitz "
-      "continuous with the constant ‖L̂‖, so by the theorem of Picard and Lindelöf it has exactly "
-      "one solution with X(0) = Id, for all t. The exponential series, differentiated term by "
-      "term, shows that exp(tL̂) is one:"});
+      Phrase(
+          "This is a linear equation with constant coefficients. Its right-hand side is Lipschitz "
+          "continuous with the constant ‖L̂‖, so by the theorem of Picard and Lindelöf it has "
+          "exactly "
+          "one solution with X(0) = Id, for all t. The exponential series, differentiated term by "
+          "term, shows that exp(tL̂) is one:",
+          "Dette er en lineær likning med konstante koeffisienter. Høyresiden er "
+          "Lipschitz-kontinuerlig med konstanten ‖L̂‖, så ifølge Picard-Lindelöfs teorem har den "
+          "nøyaktig én løsning med X(0) = Id, for alle t. Når eksponentialrekken deriveres ledd "
+          "for "
+          "ledd, viser den at exp(tL̂) er en løsning:")
+          .in(language)});
   section.content.emplace_back(
       Formula{R"(X(t) = \exp(t \hat L) = \begin{pmatrix} 1 & 0 & 0 \\ 0 & \cos t & -\sin t \\ )"
               R"(0 & \sin t & \cos t \end{pmatrix})",
-              fmt::format("The matrix follows from eq. (21) of {} with Ω = L̂, w = 1. As L̂L = 0, "
-                          "ω = XᵀL = (1, 0, 0) is constant: the sphere turns about x at 1 rad/s.",
-                          citations.specification())});
-  section.content.emplace_back(sphere_table(commands));
+              Phrase("The matrix follows from eq. (21) of {} with Ω = L̂, w = 1. As L̂L = 0, "
+                     "ω = XᵀL = (1, 0, 0) is constant: the sphere turns about x at 1 rad/s.",
+                     "Matrisen følger av likning (21) i {} med Ω = L̂, w = 1. Siden L̂L = 0, er "
+                     "ω = XᵀL = (1, 0, 0) konstant: Kulen roterer om x med 1 rad/s.")
+                  .in(language, citations.specification())});
+  section.content.emplace_back(sphere_table(commands, language));
   return section;
 }
 
 Section lie_euler_section(const study::Study& study, const Experiment& studied,
                           const TaskCommands& commands) {
-  Section section{.heading = "Task 3: the Lie-Euler method", .content = {}};
+  const Language language = studied.scene.language;
+  Section section{
+      .heading =
+          Phrase("Task 3: the Lie-Euler method", "Oppgave 3: Lie-Euler-metoden").in(language),
+      .content = {}};
   section.content.emplace_back(Paragraph{
-      "The first test is the sphere of task 2, whose solution is known. Euler's method is "
-      "shown for comparison."});
-  section.content.emplace_back(sphere_errors_table(commands));
+      Phrase("The first test is the sphere of task 2, whose solution is known. Euler's method is "
+             "shown for comparison.",
+             "Den første testen er kulen fra oppgave 2, der løsningen er kjent. Eulers metode er "
+             "tatt med til sammenlikning.")
+          .in(language)});
+  section.content.emplace_back(sphere_errors_table(commands, language));
   section.content.emplace_back(Paragraph{
-      "The errors of Lie-Euler are rounding errors: they grow with the number of steps "
-      "and not with their length. For the sphere ω is constant, so each step is exact, "
-      "whatever its length. The sphere therefore shows that the exponential is right, but "
-      "cannot reveal the order of the method, nor a wrong ω: that takes a body whose ω "
-      "changes. Euler's method leaves SO(3), and is of first order."});
+      Phrase("The errors of Lie-Euler are rounding errors: they grow with the number of steps and "
+             "not with their length. For the sphere ω is constant, so each step is exact, whatever "
+             "its length. The sphere therefore shows that the exponential is right, but cannot "
+             "reveal the order of the method, nor a wrong ω: that takes a body whose ω changes. "
+             "Euler's method leaves SO(3), and is of first order.",
+             "Feilene til Lie-Euler er avrundingsfeil: De vokser med antall steg, "
+             "ikke med steglengden. For kulen er ω konstant, så hvert steg er eksakt, "
+             "uansett lengde. Kulen viser derfor at eksponentialfunksjonen er riktig, "
+             "men den kan ikke avsløre ordenen til metoden, og heller ikke en feil i "
+             "ω: Da trengs et legeme der ω endrer seg. Eulers metode forlater SO(3) "
+             "og er av første orden.")
+          .in(language)});
   section.content.emplace_back(ladder_table(study, {"euler", "lie-euler"}, studied));
-  section.content.emplace_back(
-      Paragraph{fmt::format("On the T-wrench half the step halves the error of Lie-Euler: it is of "
-                            "first order, as its Taylor series says; measured, {}.",
-                            measured_order(study, "lie-euler"))});
+  section.content.emplace_back(Paragraph{
+      Phrase(
+          "On the T-wrench half the step halves the error of Lie-Euler: it is of first order, as "
+          "its Taylor series says; measured, {}.",
+          "På T-nøkkelen halveres feilen til Lie-Euler når steget halveres: "
+          "Metoden er av første orden, som Taylor-rekken sier. Den målte ordenen "
+          "er {}.")
+          .in(language, measured_order(study, "lie-euler"))});
   return section;
 }
 

@@ -20,12 +20,14 @@ std::string measured_order(const study::Study& study, std::string_view method) {
 
 Table ladder_table(const study::Study& study, const std::vector<std::string>& methods,
                    const Experiment& studied) {
-  Table table{
-      .caption = fmt::format("{}: error of X at {:.4g} s by step", studied.scene.name, study.early),
-      .commands = {studied.commands.study_of(methods)},
-      .header = {"Step, s"},
-      .rows = {}};
-  std::vector<std::string> orders{"Measured order"};
+  const Language language = studied.scene.language;
+  Table table{.caption = Phrase("{}: error of X at {:.4g} s by step",
+                                "{}: feil i X ved {:.4g} s etter steglengde")
+                             .in(language, studied.scene.name, study.early),
+              .commands = {studied.commands.study_of(methods)},
+              .header = {step_label.in(language)},
+              .rows = {}};
+  std::vector<std::string> orders{Phrase("Measured order", "Målt orden").in(language)};
   for (const std::string& method : methods) {
     table.header.push_back(method);
     orders.push_back(measured_order(study, method));

@@ -12,6 +12,8 @@
 // Parts of a study that several sections show.
 namespace twrench::report {
 
+inline constexpr Phrase step_label{"Step, s", "Steg, s"};
+
 /// Returns a method's results, which must be in the study.
 const study::MethodStudy& results_of(const study::Study& study, std::string_view method);
 

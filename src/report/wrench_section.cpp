@@ -6,6 +6,7 @@
 #include "report/motion_parts.h"
 #include "report/numbers.h"
 #include "report/sections.h"
+#include "report/study_tables.h"
 
 namespace twrench::report {
 namespace {
@@ -18,14 +19,16 @@ std::string experiment_heading(const PrintedSolution& solution, std::size_t i) {
 
 /// The errors of rk4 by step in all experiments.
 Table rk4_table(std::span<const PrintedSolution> solutions) {
-  Table table{.caption = fmt::format("rk4: energy drift and error of X after {} s, by step",
-                                     digits(solutions.front().rk4.duration)),
+  const Language language = solutions.front().solution.scene().language;
+  Table table{.caption = Phrase("rk4: energy drift and error of X after {} s, by step",
+                                "rk4: energidrift og feil i X etter {} s, etter steglengde")
+                             .in(language, digits(solutions.front().rk4.duration)),
               .commands = {},
-              .header = {"Step, s"},
+              .header = {step_label.in(language)},
               .rows = {}};
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     table.header.push_back(fmt::format("({}) drift", "abc"[i]));
-    table.header.push_back(fmt::format("({}) error", "abc"[i]));
+    table.header.push_back(Phrase("({}) error", "({}) feil").in(language, "abc"[i]));
     table.commands.push_back(solutions[i].solution.experiment->commands.study_of({"rk4"}));
   }
   for (const study::StudyRun& run : solutions.front().rk4.methods.front().runs) {
@@ -45,24 +48,34 @@ Table rk4_table(std::span<const PrintedSolution> solutions) {
 }  // namespace
 
 Section wrench_section(std::span<const PrintedSolution> solutions) {
-  Section section{.heading = "Task 5: the T-wrench", .content = {}};
+  const Language language = solutions.front().solution.scene().language;
+  Section section{.heading = Phrase("Task 5: the T-wrench", "Oppgave 5: T-nøkkelen").in(language),
+                  .content = {}};
   section.content.emplace_back(Paragraph{
-      "X(0) = Id, so L = Iω(0). The three experiments turn the T-wrench about each of its axes, "
-      "with a small component along another, and |ω(0)| is about 1 rad/s. They are solved with rk4 "
-      "as in task 4."});
+      Phrase("X(0) = Id, so L = Iω(0). The three experiments turn the T-wrench about each of its "
+             "axes, with a small component along another, and |ω(0)| is about 1 rad/s. They are "
+             "solved with rk4 as in task 4.",
+             "X(0) = Id, altså er L = Iω(0). De tre eksperimentene roterer T-nøkkelen om hver sin "
+             "akse, med en liten komponent langs en annen, og |ω(0)| er omtrent 1 rad/s. De løses "
+             "med rk4 som i oppgave 4.")
+          .in(language)});
   section.content.emplace_back(rk4_table(solutions));
   std::string steps;
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     const study::StudyRun& run = solutions[i].run();
-    steps +=
-        fmt::format("{}({}) {} s, with a drift of {} and an error of X of {}", i == 0 ? "" : "; ",
-                    "abc"[i], run.step, brief(run.energy_drift), brief(run.error));
+    steps += (i == 0 ? "" : "; ") +
+             Phrase("({}) {} s, with a drift of {} and an error of X of {}",
+                    "({}) {} s, med en drift på {} og en feil i X på {}")
+                 .in(language, "abc"[i], run.step, brief(run.energy_drift), brief(run.error));
   }
-  section.content.emplace_back(Paragraph{fmt::format(
-      "The chosen step is the longest of these with an unnoticeable drift, at most {}, or else the "
-      "shortest: {}. The error of the attitude is larger than the drift, because it also contains "
-      "the phase of the motion, which the energy does not show.",
-      unnoticed_drift, steps)});
+  section.content.emplace_back(Paragraph{
+      Phrase("The chosen step is the longest of these with an unnoticeable drift, at most {}, or "
+             "else the shortest: {}. The error of the attitude is larger than the drift, because "
+             "it also contains the phase of the motion, which the energy does not show.",
+             "Det valgte steget er det lengste av disse der energien ikke endrer seg nevneverdig, "
+             "høyst {}, ellers det korteste: {}. Feilen i stillingen er større enn driften, fordi "
+             "den også inneholder fasen til bevegelsen, som ikke vises i energien.")
+          .in(language, unnoticed_drift, steps)});
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     const Solution& solution = solutions[i].solution;
     const std::vector<NumericalSolution> numerical{rk4_solution(solutions[i]),
@@ -79,11 +92,19 @@ Section wrench_section(std::span<const PrintedSolution> solutions) {
 }
 
 Section components_section(std::span<const PrintedSolution> solutions) {
-  Section section{.heading = "Task 6: the nine components of X", .content = {}};
-  section.content.emplace_back(
-      Paragraph{"The columns of X are the body axes in space: x with the indices i and j is the "
-                "component of the body axis j along the space axis i. At t = 0 the axes coincide. "
-                "The curves are the solutions by rk4 of task 5."});
+  const Language language = solutions.front().solution.scene().language;
+  Section section{
+      .heading = Phrase("Task 6: the nine components of X", "Oppgave 6: de ni komponentene av X")
+                     .in(language),
+      .content = {}};
+  section.content.emplace_back(Paragraph{
+      Phrase("The columns of X are the body axes in space: x with the indices i and j is the "
+             "component of the body axis j along the space axis i. At t = 0 the axes coincide. The "
+             "curves are the solutions by rk4 of task 5.",
+             "Søylene i X er legemets akser i rommet: x med indeksene i og j er komponenten av "
+             "legemets akse j langs rommets akse i. Ved t = 0 faller aksene sammen. Kurvene er "
+             "løsningene med rk4 fra oppgave 5.")
+          .in(language)});
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     const Solution& solution = solutions[i].solution;
     const scene::Motion& motion = solution.scene().motion;
@@ -96,10 +117,16 @@ Section components_section(std::span<const PrintedSolution> solutions) {
     section.content.emplace_back(Paragraph{interpretation(solution)});
   }
   section.content.emplace_back(Paragraph{
-      "The component of the axis about which the body spins tells the motions apart. In (a) "
-      "this is the intermediate axis, and the component does not stay near 1; in (b) and "
-      "(c) it does. As 3-D animations the motions are drawn by the commands twrench "
-      "render dzhanibekov, twrench render stable-y and twrench render stable-z."});
+      Phrase(
+          "The component of the axis about which the body spins tells the motions apart. In (a) "
+          "this is the intermediate axis, and the component does not stay near 1; in (b) and "
+          "(c) it does. As 3-D animations the motions are drawn by the commands twrench render "
+          "dzhanibekov, twrench render stable-y and twrench render stable-z.",
+          "Komponenten av aksen som legemet spinner om, skiller bevegelsene fra hverandre. I (a) "
+          "er det den midterste aksen, og komponenten holder seg ikke nær 1; i (b) og (c) gjør "
+          "den det. Som 3-D-animasjoner tegnes bevegelsene av kommandoene twrench render "
+          "dzhanibekov, twrench render stable-y og twrench render stable-z.")
+          .in(language)});
   return section;
 }
 

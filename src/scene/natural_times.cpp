@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "scene/limits.h"
+#include "scene/phrase.h"
 
 namespace twrench::scene {
 namespace {
@@ -135,7 +136,9 @@ double sample_rate(const Scene& scene) {
 
 void replace_body(Scene& scene, Body body) {
   scene.body = std::move(body);
-  if (scene.origins.title != Origin::user) scene.title = "A free rigid body";
+  if (scene.origins.title != Origin::user) {
+    scene.title = Phrase("A free rigid body", "Et fritt stivt legeme").in(scene.language);
+  }
   for (const auto member : all_origins) {
     Origin& origin = scene.origins.*member;
     if (origin == Origin::scene) origin = Origin::none;

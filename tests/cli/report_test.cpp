@@ -292,6 +292,53 @@ TEST_F(Report, ShowsAuthorAndDateAsText) {
                         "!\\[i\\](j)\n\nDate: \\</h1\\>\\`\\*8 November\\*\\`\n"));
 }
 
+TEST_F(Report, IsInNorwegian) {
+  const ScratchFolder folder;
+  const std::string given = "report stable-y --duration 5 --author A --language no --static -o ";
+  const Outcome run = run_twrench(folder, given + "a.html");
+  ASSERT_EQ(run.code, 0);
+  EXPECT_EQ(run.err, "");
+  const std::string html = text_of(folder / "a.html");
+  for (const char* part : {"<html lang=\"nb\">", "<h2>Innledning</h2>", "<b>Tabell 1.</b>",
+                           "<b>Figur 1.</b>", "<h2>Referanser</h2>", ">steg h (s)<"}) {
+    EXPECT_EQ(count(html, part), 1U) << part;
+  }
+  EXPECT_THAT(html, HasSubstr("--language no --author A --static -o a.html</code>"));
+  ASSERT_EQ(run_twrench(folder, given + "a.md").code, 0);
+  const std::string markdown = text_of(folder / "a.md");
+  for (const char* part : {"\nForfatter: A\n", "**Tabell 1.** ", "**Figur 1.** "}) {
+    EXPECT_EQ(count(markdown, part), 1U) << part;
+  }
+}
+
+TEST_F(Report, IsInTheLanguageOfItsFirstScene) {
+  const ScratchFolder folder;
+  const char* const body = "[body]\nmoments = [1.0, 2.0, 3.0]\n[motion]\nduration = 2.0\n";
+  std::ofstream(folder / "nb.toml") << "language = 'nb'\n" << body;
+  std::ofstream(folder / "en.toml") << body;
+  ASSERT_EQ(run_twrench(folder, "report nb.toml en.toml -o a.md").code, 0);
+  const std::string norwegian = text_of(folder / "a.md");
+  EXPECT_THAT(norwegian, StartsWith("# Bevegelsen til et fritt stivt legeme\n"));
+  EXPECT_EQ(count(norwegian, "Konstantene for bevegelsen"), 2U);
+  ASSERT_EQ(run_twrench(folder, "report nb.toml --language en -o b.md").code, 0);
+  EXPECT_THAT(text_of(folder / "b.md"), HasSubstr("## Introduction\n"));
+  ASSERT_EQ(run_twrench(folder, "report --inertia 1,2,3 --duration 2 --language nb -o c.md").code,
+            0);
+  EXPECT_THAT(text_of(folder / "c.md"), StartsWith("# Et fritt stivt legeme"));
+}
+
+TEST_F(Report, TellsOfLanguagesThatItLacks) {
+  const ScratchFolder folder;
+  const Outcome other = run_twrench(folder, "report sphere --duration 2 --language sv -o a.md");
+  EXPECT_EQ(other.code, 0);
+  EXPECT_EQ(other.err, "twrench: note: the report is in English, not in 'sv'\n");
+  EXPECT_THAT(text_of(folder / "a.md"), HasSubstr("## Introduction\n"));
+  const Outcome wrong = run_twrench(folder, "report sphere --language norsk -o b.md");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("use en or nb or, for captions in another language, a tag of "
+                                   "BCP 47"));
+}
+
 // Other programs reject a whole file if any part of it is not UTF-8.
 TEST_F(Report, StaysUtf8WithALineEach) {
   const ScratchFolder folder;

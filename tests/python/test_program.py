@@ -219,14 +219,14 @@ def test_several_scenes_are_plotted_and_reported_as_by_the_program(program, tmp_
     assert Path("a.svg").read_bytes() == Path("b.svg").read_bytes()
     for scenes, words, values in (
         (names, names, {"duration": 6, "method": "cf4"}),
-        (None, [], {}),
+        (None, [], {"language": "nb"}),
     ):
         options = [f"--{key}={value}" for key, value in values.items()]
         twrench.report("r.md", scenes, author="A. Student", **values)
         mine = Path("r.md").read_bytes()
         program("report", *words, *options, "--author", "A. Student", "-o", "r.md")
         assert without_times(mine) == without_times(Path("r.md").read_bytes())
-    assert "The sphere" in Path("r.md").read_text()  # a task of the course
+    assert "Kulen roterer om x" in Path("r.md").read_text()  # a task of the course, in Norwegian
     for call, message in (
         (lambda: twrench.plot("no.svg", []), "^scenes: must have at least one scene"),
         (lambda: twrench.plot("no.svg", "sphere"), "^scenes: must be a list of scenes"),

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -13,6 +16,7 @@
 #include "app/reports/page_pictures.h"
 #include "app/terminal/message.h"
 #include "app/terminal/version.h"
+#include "base/enumeration.h"
 #include "page/page_html.h"
 #include "plot/gnuplot.h"
 #include "report/command_lines.h"
@@ -30,6 +34,7 @@ struct ReportOptions {
       : command(app),
         scenes(app, SceneOptions::Count::several, three_experiments),
         output(app, system::report_output, OutputOptions::Otherwise::none) {
+    scenes.add_language_option();  // before --inertia, which gives the scene a title
     scenes.add_motion_options();
   }
 
@@ -71,8 +76,8 @@ report::Viewer viewer_of(const std::string& empty, const page::PageScene& scene)
 
 report::Document document_of(const ReportOptions& options,
                              const std::vector<report::Experiment>& experiments) {
-  return {experiments.size() > 1 ? "The motion of a free rigid body"
-                                 : experiments.front().scene.shown_title(),
+  return {experiments.front().scene.language,
+          report::title_of(experiments),
           text::escape(options.author),
           text::escape(options.date),
           text::escape(report_command_line(options.command, options.scenes, options.output.path(),
@@ -93,12 +98,17 @@ void write_report(const ReportOptions& options) {
   const bool interactive = wants_page && missing.empty();
   const std::string empty = interactive ? page::page_template({}) : std::string();
   const std::vector<report::Experiment> experiments = experiments_of(options);
+  const std::string note = report::note_on_language(experiments);
+  if (!note.empty()) say("twrench: note: {}\n", note);
   const report::Document document = document_of(options, experiments);
   std::optional<report::Viewer> viewer;
   if (interactive) {
-    viewer = viewer_of(empty, {experiments.front().scene, options.scenes.original(0),
-                               report::argument_of(options.scenes.sources().front()),
-                               options.scenes.mesh_options().given()});
+    viewer =
+        viewer_of(empty, {experiments.front().scene, options.scenes.original(0),
+                          report::argument_of(options.scenes.sources().front()),
+                          options.scenes.mesh_options().given(), false,
+                          options.command.count("--language") > 0 ? std::optional(document.language)
+                                                                  : std::nullopt});
   }
   report::write_report(file, document, viewer ? &*viewer : nullptr, files);
 }
@@ -114,6 +124,10 @@ void add_report(CLI::App& app) {
       "dzhanibekov, stable-y and stable-z. The figures of Markdown are files beside it.\n"
       "Example: twrench report --author \"A. Student\" -o report.html");
   const auto options = std::make_shared<ReportOptions>(*command);
+  command->get_option("--language")
+      ->description(fmt::format("language of the report, and of a built-in story: {}",
+                                fmt::join(enumerator_names<scene::Language>(), " or ")))
+      ->group(heading(OptionGroup::output));
   command->add_option("--author", options->author, "who wrote it, shown below the title")
       ->type_name("TEXT")
       ->group(heading(OptionGroup::output));

@@ -15,9 +15,10 @@ std::string report_command_line(const CLI::App& command, const SceneOptions& sce
   }
   const std::vector<std::string> mesh = scenes.mesh_options().given();
   words.insert(words.end(), mesh.begin(), mesh.end());
-  const auto others = given_options(
-      command, {"--omega", "--attitude", "--wheel", "--energy-loss-time", "--inertia", "--method",
-                "--step", "--tolerance", "--duration", "--fps", "--speed", "--author", "--date"});
+  const auto others =
+      given_options(command, {"--omega", "--attitude", "--wheel", "--energy-loss-time", "--inertia",
+                              "--method", "--step", "--tolerance", "--duration", "--fps", "--speed",
+                              "--language", "--author", "--date"});
   words.insert(words.end(), others.begin(), others.end());
   if (is_static) words.emplace_back("--static");
   words.insert(words.end(), {"-o", report::argument_of(output)});
