@@ -125,9 +125,9 @@ Paragraph flips_paragraph(const PrintedSolution& solution) {
           "{} s. Nothing in a film would look wrong.",
           "Vendingene er følsomme for energien: Feil energi hører til en annen "
           "bevegelse, med en annen tid mellom vendingene, og feilen i hver av dem "
-          "legges til feilen i den neste. Med et steg på {} s har rk4 {} vendinger "
-          "av {}, og tidspunktene er opptil {} s feil; med {} s opptil {} s. I en "
-          "film ville ingenting sett galt ut.")
+          "legges til feilen i den neste. Med et steg på {} s har rk4 {} av {} "
+          "vendinger, og tidspunktene er opptil {} s feil; med {} s opptil {} s. I "
+          "en film ville ingenting sett galt ut.")
           .in(language, coarse.step, coarse.flips.size(), rk4.flip_times.size(),
               brief(coarse.flip_error), quiet.step, brief(quiet.flip_error))};
 }

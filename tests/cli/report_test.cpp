@@ -54,7 +54,7 @@ TEST_F(Report, SolvesEveryTaskUnlessASceneIsGiven) {
 
 TEST_F(Report, HasThePageOfTheMotionInAFrame) {
   const ScratchFolder folder;
-  const Outcome run = run_twrench(folder, "report stable-z --duration 10 -o a.html");
+  const Outcome run = run_twrench(folder, "report stable-z --duration 10 --language nb -o a.html");
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string all = text_of(folder / "a.html");
   if (!run.err.empty()) {  // a program that was built before its page
@@ -65,7 +65,9 @@ TEST_F(Report, HasThePageOfTheMotionInAFrame) {
     return;
   }
   EXPECT_EQ(count(all, "<iframe"), 1U);
+  EXPECT_THAT(all, HasSubstr("<iframe title=\"Bevegelsen\""));
   EXPECT_THAT(all, HasSubstr("srcdoc=\"&lt;!doctype html&gt;"));
+  EXPECT_THAT(all, HasSubstr("&quot;language&quot;:&quot;nb&quot;"));
 }
 
 TEST_F(Report, OfASceneIsAboutItsMotion) {
