@@ -269,7 +269,7 @@ TEST_F(CheckCommand, ReportsAsJUnit) {
 }
 
 TEST_F(CheckCommand, ProposesTheOnlyReadingThatFits) {
-  simulate("radians.csv", "--method exact --duration 40");
+  simulate("radians.csv", "--method exact --duration 8");
   const Outcome degrees = check("radians.csv " + body + "--units deg");
   EXPECT_EQ(degrees.code, 1) << degrees.err;
   EXPECT_THAT(degrees.out, HasSubstr("but it does if the rates are in rad/s: use --units rad"));

@@ -15,6 +15,7 @@
 #include "picture/overlay/body_overlay.h"
 #include "picture/overlay/trail_point.h"
 #include "picture/t_wrench.h"
+#include "sanitizers.h"
 
 namespace twrench::draw {
 namespace {
@@ -118,6 +119,11 @@ class Legibility : public testing::TestWithParam<Look> {
     scene.look.background = GetParam().background;
     scene.motion.method = "exact";
     scene.title = "Legible";
+  }
+
+  void SetUp() override {
+    const bool is_like_others = scene.look.theme != scene::Theme::studio || scene.look.background;
+    if (has_sanitizers && is_like_others) GTEST_SKIP() << "draws the same as other tests";
   }
 
   image::Image drawn(std::set<scene::Feature> features, int frame) {

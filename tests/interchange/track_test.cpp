@@ -11,6 +11,7 @@
 #include "interchange/key_times.h"
 #include "interchange/playback.h"
 #include "motion/bodies_of_every_kind.h"
+#include "sanitizers.h"
 
 namespace twrench::interchange {
 namespace {
@@ -103,7 +104,9 @@ void expect_within_bounds(const motion::FreeBody& body) {
 }
 
 TEST(Track, OfEveryBodyIsWithinTheBoundAtAnyInstant) {
-  for (const auto& [moments, omega] : motion::bodies_of_every_kind()) {
+  std::vector<motion::BodyOfAKind> bodies = motion::bodies_of_every_kind();
+  if (has_sanitizers) bodies.resize(20);  // the others are random ones
+  for (const auto& [moments, omega] : bodies) {
     expect_within_bounds(motion::FreeBody(moments.asDiagonal(), omega));
   }
 }

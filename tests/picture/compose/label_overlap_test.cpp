@@ -10,6 +10,7 @@
 #include "picture/overlay_scene.h"
 #include "picture/views/body_view.h"
 #include "picture/views/shown.h"
+#include "sanitizers.h"
 
 namespace twrench::picture {
 namespace {
@@ -44,6 +45,9 @@ class LabelsOf : public testing::TestWithParam<std::tuple<std::string, bool>> {}
 
 TEST_P(LabelsOf, DoNotLieOverOtherArrowsForLong) {
   const auto& [name, with_axes] = GetParam();
+  if (has_sanitizers && (name != "dzhanibekov" || !with_axes)) {
+    GTEST_SKIP() << "repeats the computation with other numbers";
+  }
   scene::Scene scene = scene::load_scene(name);
   if (with_axes) scene.overlay.show.insert(scene::Feature::axes);
   scene.film.width = 1280;
