@@ -97,7 +97,7 @@ bool has_momentum(const Convention& convention);
 bool has_rates(const Convention& convention);
 
 /// The value of a field: whether a flag is set, a word (empty if there is none), our names and the
-/// file's, or a rotation. Nothing stands for a rotation that is not there.
+/// file's, or a rotation; the first alternative means that there is no rotation.
 using FieldValue = std::variant<std::monostate, bool, std::string,
                                 std::map<std::string, std::string>, Eigen::Quaterniond>;
 
@@ -117,7 +117,7 @@ struct Field {
   std::function<FieldValue(const Convention&)> value;
   /// Throws InvalidArgument about the argument of this name. Empty if users are not asked.
   std::function<void(Convention&, const FieldValue&)> set;
-  /// What the field says, for a person: "the rates are in deg/s".
+  /// Returns the statement of the field, for a person: "the rates are in deg/s".
   std::function<std::string(const Convention&)> statement;
 };
 
