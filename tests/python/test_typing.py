@@ -43,6 +43,9 @@ order: float | None = checks.order.rates
 verdict: str = twrench.check("a.csv", body).verdict
 finding: str = twrench.check(np.zeros((9, 4)), body, columns=["t", "wx", "wy", "wz"]).finding
 twrench.check(motion.to_dataframe(), body, sequence="ZYX")
+recording = twrench.Recording.read("a.csv", body, units="deg", inverse=True)
+twrench.check([recording, twrench.Recording(motion.t, X=motion.X)], body).order
+has_rates: bool = twrench.Recording([0, 1], np.zeros((2, 3))).omega is not None
 print(motion[0].X, motion[1:].t, twrench.exact(body, [1, 0, 0]).at(0).omega)
 for path in (twrench.pages("site", theme="paper"), twrench.pages("site", template="t.html")):
     print(path.name)
@@ -82,6 +85,9 @@ twrench.compare("a", "b", metric="psnr")
 Scene().render("a.mp4", encode="slow")
 twrench.check("a.csv", time_unit="days")
 twrench.check("a.csv", angle_units="rev")
+twrench.Recording.read("a.csv", units="degrees")
+twrench.Recording([0, 1], omgea=np.zeros((2, 3)))
+twrench.Recording.read("a.csv").omega.shape
 Scene().render(frames_dir="frames", shard="1/4")
 Scene().render(frames_dir="frames", egl_device="hardware")
 twrench.plot("a.svg", [4])
