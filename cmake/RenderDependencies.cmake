@@ -38,6 +38,8 @@ twrench_pkgconfig(spng "libspng"
   DEBIAN libspng-dev FEDORA libspng-devel ARCH libspng)
 twrench_pkgconfig(libzip "libzip"
   DEBIAN libzip-dev FEDORA libzip-devel ARCH libzip)
+twrench_pkgconfig(pugixml "pugixml"
+  DEBIAN libpugixml-dev FEDORA pugixml-devel ARCH pugixml)
 twrench_pkgconfig(libebur128 "libebur128"
   DEBIAN libebur128-dev FEDORA libebur128-devel ARCH libebur128)
 twrench_pkgconfig(cairo-ft "Cairo with its FreeType fonts"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "system/error.h"
@@ -11,9 +12,14 @@
 namespace twrench::table {
 namespace {
 
-std::string value_of(const AemSegment& segment, const std::string& keyword) {
-  const auto found = segment.metadata.find(keyword);
-  return found == segment.metadata.end() ? std::string() : found->second;
+/// The value in capital letters, because a message may have it in small ones.
+std::string value_of(const AemMetadata& metadata, const std::string& keyword) {
+  const auto found = metadata.values.find(keyword);
+  std::string value = found == metadata.values.end() ? std::string() : found->second;
+  for (char& c : value) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return value;
 }
 
 /// Whether the name of a frame is that of a spacecraft or one of its parts.
@@ -25,48 +31,58 @@ bool is_of_body(std::string_view frame) {
 }
 
 /// Whether REF_FRAME_A rather than REF_FRAME_B is that of the body.
-bool is_body_first(const AemSegment& segment) {
-  return is_of_body(value_of(segment, "REF_FRAME_A")) &&
-         !is_of_body(value_of(segment, "REF_FRAME_B"));
+bool is_body_first(const AemMetadata& metadata) {
+  return is_of_body(value_of(metadata, "REF_FRAME_A")) &&
+         !is_of_body(value_of(metadata, "REF_FRAME_B"));
 }
 
-/// Adds columns of the same unit.
-void add_columns(Header& header, const std::vector<std::string>& names, const std::string& unit) {
-  for (const std::string& name : names) {
-    header.names.push_back(name);
-    header.units.push_back(unit);
-  }
+system::FileError bad_metadata(const AemMetadata& metadata, const std::string& why,
+                               const std::string& remedy) {
+  return {metadata.place, why, remedy};
 }
 
-system::FileError bad_metadata(const Header& header, const AemSegment& segment,
-                               const std::string& why, const std::string& remedy) {
-  return {fmt::format("{}:{}", header.file, segment.meta_start), why, remedy};
+void add_values(AemLayout& layout, const std::vector<std::string>& keywords,
+                const std::vector<std::string>& columns, const std::string& unit) {
+  for (std::size_t i = 0; i < keywords.size(); ++i)
+    layout.values.push_back({keywords[i], columns[i], unit});
 }
 
-/// The four components in the file's order.
-std::vector<std::string> quaternion_names(const AemSegment& segment, bool is_version_1,
-                                          const Header& header) {
-  const std::string order = value_of(segment, "QUATERNION_TYPE");
-  if (order == "FIRST") return {"qw", "qx", "qy", "qz"};
-  if (order == "LAST" || (order.empty() && !is_version_1)) return {"qx", "qy", "qz", "qw"};
-  throw bad_metadata(header, segment,
+/// Whether the scalar is the first component. Version 2.0 has it last.
+bool is_scalar_first(const AemMetadata& metadata) {
+  const std::string order = value_of(metadata, "QUATERNION_TYPE");
+  if (order == "FIRST") return true;
+  if (order == "LAST" || (order.empty() && !metadata.is_version_1)) return false;
+  throw bad_metadata(metadata,
                      order.empty() ? std::string("its metadata have no QUATERNION_TYPE")
                                    : fmt::format("its QUATERNION_TYPE is '{}'", order),
-                     "add QUATERNION_TYPE = LAST or = FIRST below META_START, as its scalar is");
+                     "add QUATERNION_TYPE = LAST or = FIRST to the metadata, as its scalar is");
+}
+
+void add_quaternion(const AemMetadata& metadata, bool has_derivative, AemLayout& layout) {
+  std::vector<std::string> keywords{"Q1", "Q2", "Q3", "QC"}, columns{"qx", "qy", "qz", "qw"};
+  if (is_scalar_first(metadata)) {
+    std::ranges::rotate(keywords, keywords.end() - 1);
+    std::ranges::rotate(columns, columns.end() - 1);
+  }
+  add_values(layout, keywords, columns, "");
+  if (!has_derivative) return;
+  for (std::string& keyword : keywords) keyword += "_DOT";
+  for (std::string& column : columns) column += "_dot";
+  add_values(layout, keywords, columns, "1/s");
 }
 
 /// "321" or "ZYX" -> "zyx".
-std::string sequence_of(const AemSegment& segment, const Header& header) {
-  std::string sequence = value_of(segment, "EULER_ROT_SEQ");
+std::string sequence_of(const AemMetadata& metadata) {
+  const std::string stated = value_of(metadata, "EULER_ROT_SEQ");
+  std::string sequence = stated;
   bool is_known = sequence.size() == 3;
   for (char& c : sequence) {
-    const std::size_t axis = std::string_view("123XYZxyz").find(c);
+    const std::size_t axis = std::string_view("123XYZ").find(c);
     is_known = is_known && axis != std::string_view::npos;
     if (is_known) c = "xyz"[axis % 3];
   }
   if (is_known && sequence[0] != sequence[1] && sequence[1] != sequence[2]) return sequence;
-  throw bad_metadata(header, segment,
-                     fmt::format("its EULER_ROT_SEQ is '{}'", value_of(segment, "EULER_ROT_SEQ")),
+  throw bad_metadata(metadata, fmt::format("its EULER_ROT_SEQ is '{}'", stated),
                      "it must name three axes, such as 321 or ZYX");
 }
 
@@ -80,56 +96,111 @@ std::vector<std::string> angle_names(const std::string& sequence) {
   return names;
 }
 
-/// Angular velocities in deg/s, in the axes of the frame that the metadata name.
-std::vector<std::string> rate_names(const AemSegment& segment) {
-  std::string frame = value_of(segment, "RATE_FRAME");
-  if (frame.empty()) frame = value_of(segment, "ANGVEL_FRAME");
-  const std::string body = is_body_first(segment) ? "REF_FRAME_A" : "REF_FRAME_B";
-  const bool is_in_body = frame.empty() || frame == body || frame == value_of(segment, body);
-  if (is_in_body) return {"wx", "wy", "wz"};
-  return {"omega_space_x", "omega_space_y", "omega_space_z"};
+void add_euler_angles(const AemMetadata& metadata, bool has_derivative, AemLayout& layout) {
+  layout.sequence = sequence_of(metadata);
+  add_values(layout, {"ANGLE_1", "ANGLE_2", "ANGLE_3"}, angle_names(layout.sequence), "deg");
+  if (!has_derivative) return;
+  add_values(layout, {"ANGLE_1_DOT", "ANGLE_2_DOT", "ANGLE_3_DOT"},
+             {"angle_1_dot", "angle_2_dot", "angle_3_dot"}, "deg/s");
+}
+
+/// The attitude is reached from frame A, which must be that of space, by rotations of
+/// SPIN_ALPHA + 90, 90 - SPIN_DELTA and SPIN_ANGLE degrees about z, x and z.
+void add_spin(const AemMetadata& metadata, std::string_view nutation, AemLayout& layout) {
+  if (is_body_first(metadata)) {
+    throw bad_metadata(metadata, "its spin axis is given in the frame of the body",
+                       "REF_FRAME_A must be the frame of space, and REF_FRAME_B that of the body");
+  }
+  layout.sequence = "zxz";
+  layout.values.push_back({"SPIN_ALPHA", "yaw", "deg", 1, 90});
+  layout.values.push_back({"SPIN_DELTA", "pitch", "deg", -1, 90});
+  layout.values.push_back({"SPIN_ANGLE", "roll", "deg"});
+  layout.values.push_back({"SPIN_ANGLE_VEL", "spin_angle_vel", "deg/s"});
+  if (nutation == "NUTATION") {
+    layout.values.push_back({"NUTATION", "nutation", "deg"});
+    layout.values.push_back({"NUTATION_PER", "nutation_per", "s"});
+    layout.values.push_back({"NUTATION_PHASE", "nutation_phase", "deg"});
+  }
+  if (nutation == "NUTATION_MOM") {
+    layout.values.push_back({"MOMENTUM_ALPHA", "momentum_alpha", "deg"});
+    layout.values.push_back({"MOMENTUM_DELTA", "momentum_delta", "deg"});
+    layout.values.push_back({"NUTATION_VEL", "nutation_vel", "deg/s"});
+  }
+}
+
+/// Whether angular velocities are in the axes of space; nothing if their frame is neither.
+std::optional<bool> are_in_space(const AemMetadata& metadata) {
+  std::string frame = value_of(metadata, "ANGVEL_FRAME");
+  if (frame.empty()) frame = value_of(metadata, "RATE_FRAME");
+  const auto is_frame = [&](const std::string& keyword) {
+    return frame == keyword || frame == value_of(metadata, keyword);
+  };
+  const bool is_first = is_body_first(metadata);
+  if (frame.empty() || is_frame(is_first ? "REF_FRAME_A" : "REF_FRAME_B")) return false;
+  if (is_frame(is_first ? "REF_FRAME_B" : "REF_FRAME_A")) return true;
+  return std::nullopt;
+}
+
+/// Version 2.0 defines angular velocities as those of frame B relative to A. The rates of version
+/// 1.0 may be derivatives of Euler angles as well, and their sign is open if the attitude leads
+/// from the body to space.
+void add_rates(const AemMetadata& metadata, bool is_angular_velocity, AemLayout& layout) {
+  const auto in_space = are_in_space(metadata);
+  const bool may_be_derivative =
+      !is_angular_velocity &&
+      (!value_of(metadata, "EULER_ROT_SEQ").empty() || layout.states_inverse);
+  std::vector<std::string> columns{"wx", "wy", "wz"};
+  if (in_space && *in_space) columns = {"omega_space_x", "omega_space_y", "omega_space_z"};
+  if (!in_space || may_be_derivative) columns = {"rate_of_1", "rate_of_2", "rate_of_3"};
+  const std::size_t first = layout.values.size();
+  if (is_angular_velocity) {
+    add_values(layout, {"ANGVEL_X", "ANGVEL_Y", "ANGVEL_Z"}, columns, "deg/s");
+  } else {
+    add_values(layout, {"X_RATE", "Y_RATE", "Z_RATE"}, columns, "deg/s");
+  }
+  if (!is_angular_velocity || !is_body_first(metadata)) return;
+  for (std::size_t i = first; i < layout.values.size(); ++i) layout.values[i].sign = -1;
+}
+
+/// An attitude from the frame of space to that of the body turns its axes into the body's, as X
+/// does. Version 2.0 has no direction: it is from A to B.
+bool is_inverse(const AemMetadata& metadata) {
+  const std::string direction = value_of(metadata, "ATTITUDE_DIR");
+  if (!direction.empty() && direction != "A2B" && direction != "B2A") {
+    throw bad_metadata(metadata, fmt::format("its ATTITUDE_DIR is '{}'", direction),
+                       "it must be A2B or B2A");
+  }
+  return (direction == "B2A") != is_body_first(metadata);
 }
 
 }  // namespace
 
-void describe_aem_columns(const AemSegment& segment, bool is_version_1, Header& header) {
-  std::string type = value_of(segment, "ATTITUDE_TYPE");
-  std::ranges::replace(type, ' ', '/');
-  add_columns(header, {"t"}, "s");
+AemLayout aem_layout(const AemMetadata& metadata) {
+  std::string type = value_of(metadata, "ATTITUDE_TYPE");
+  std::ranges::replace(type, ' ', '_');
   const std::string form = type.substr(0, type.find('/'));
-  const std::string derivative = type.substr(std::min(type.size(), form.size() + 1));
-  if (form == "QUATERNION" && derivative != "DERIVATIVE") {
-    add_columns(header, quaternion_names(segment, is_version_1, header), "");
-  } else if (form == "QUATERNION") {
-    const auto names = quaternion_names(segment, is_version_1, header);
-    add_columns(header, names, "");
-    for (const std::string& name : names) add_columns(header, {name + "_dot"}, "");
-  } else if (form == "EULER_ANGLE" || type.starts_with("EULER/ANGLE")) {
-    header.sequence = sequence_of(segment, header);
-    add_columns(header, angle_names(header.sequence), "deg");
+  const std::string more = type.substr(std::min(type.size(), form.size() + 1));
+  const bool has_derivative = more == "DERIVATIVE", has_velocity = more == "ANGVEL";
+  const bool has_rates = has_velocity || more == "RATE";
+  const bool is_plain = more.empty() || has_derivative || has_rates;
+  AemLayout layout;
+  layout.states_inverse = is_inverse(metadata);
+  if (form == "QUATERNION" && is_plain) {
+    add_quaternion(metadata, has_derivative, layout);
+  } else if (form == "EULER_ANGLE" && is_plain) {
+    add_euler_angles(metadata, has_derivative, layout);
+  } else if (form == "SPIN" && (more.empty() || more == "NUTATION" || more == "NUTATION_MOM")) {
+    add_spin(metadata, more, layout);
+    layout.states_inverse = false;
+  } else {
+    throw bad_metadata(metadata,
+                       type.empty()
+                           ? "its metadata have no ATTITUDE_TYPE"
+                           : fmt::format("its ATTITUDE_TYPE is {}, which is not read", type),
+                       "QUATERNION, EULER_ANGLE and SPIN are read, also with rates or nutation");
   }
-  const bool has_rates = type.ends_with("/RATE") || type.ends_with("/ANGVEL");
-  const bool has_euler_rates = form == "EULER_ANGLE" && derivative == "DERIVATIVE";
-  if (has_rates) add_columns(header, rate_names(segment), "deg/s");
-  if (has_euler_rates) add_columns(header, {"dot_1", "dot_2", "dot_3"}, "");
-  const bool is_read =
-      header.names.size() > 1 &&
-      (derivative.empty() || has_rates || derivative == "DERIVATIVE" || type == "EULER/ANGLE");
-  if (!is_read) {
-    throw bad_metadata(header, segment,
-                       type.empty() ? "its metadata have no ATTITUDE_TYPE"
-                                    : fmt::format("its ATTITUDE_TYPE is {}, which is not read",
-                                                  value_of(segment, "ATTITUDE_TYPE")),
-                       "QUATERNION, EULER_ANGLE, and these with rates are read");
-  }
-  const std::string direction = value_of(segment, "ATTITUDE_DIR");
-  if (!direction.empty() && direction != "A2B" && direction != "B2A") {
-    throw bad_metadata(header, segment, fmt::format("its ATTITUDE_DIR is '{}'", direction),
-                       "it must be A2B or B2A");
-  }
-  // An attitude from the frame of space to that of the body turns its axes into the body's, as X
-  // does. Version 2.0 has no direction: it is from A to B.
-  header.states_inverse = (direction == "B2A") != is_body_first(segment);
+  if (has_rates) add_rates(metadata, has_velocity, layout);
+  return layout;
 }
 
 }  // namespace twrench::table

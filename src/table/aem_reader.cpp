@@ -8,7 +8,6 @@
 
 #include "system/error.h"
 #include "system/file_kind.h"
-#include "table/aem_header.h"
 #include "table/calendar.h"
 #include "table/error.h"
 #include "table/number_text.h"
@@ -49,15 +48,21 @@ std::vector<std::string> common_metadata(const AemSegment& segment) {
   for (const char* keyword :
        {"OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "ATTITUDE_DIR", "TIME_SYSTEM",
         "ATTITUDE_TYPE", "QUATERNION_TYPE", "EULER_ROT_SEQ", "RATE_FRAME", "ANGVEL_FRAME"}) {
-    const auto found = segment.metadata.find(keyword);
-    values.push_back(found == segment.metadata.end() ? std::string() : found->second);
+    const auto found = segment.metadata.values.find(keyword);
+    values.push_back(found == segment.metadata.values.end() ? std::string() : found->second);
   }
   return values;
 }
 
+void convert(const AemValue& value, Number& number) {
+  if (value.sign == 1 && value.offset == 0) return;
+  number.value = value.offset + value.sign * number.value;
+  number.rest *= value.sign;
+}
+
 std::string object_of(const AemSegment& segment) {
-  const auto name = segment.metadata.find("OBJECT_NAME");
-  return name == segment.metadata.end() ? "an object without a name" : name->second;
+  const auto name = segment.metadata.values.find("OBJECT_NAME");
+  return name == segment.metadata.values.end() ? "an object without a name" : name->second;
 }
 
 }  // namespace
@@ -66,12 +71,21 @@ bool AemReader::recognizes(std::string_view start) {
   return trimmed(system::without_byte_order_mark(start)).starts_with(version_keyword);
 }
 
-AemReader::AemReader(Input input) : input_(std::move(input)), lines_(input_) {
+AemReader::AemReader(Input input, bool is_xml)
+    : input_(std::move(input)), is_xml_(is_xml), lines_(input_) {
   header_.file = input_.name();
   find_segments();
   if (segments_.empty()) throw BadTable(header_.file, "it has no data");
   require_one_object();
-  describe_aem_columns(segments_.front(), version_.starts_with("1"), header_);
+  layout_ = aem_layout(segments_.front().metadata);
+  header_.sequence = layout_.sequence;
+  header_.states_inverse = layout_.states_inverse;
+  header_.names = {"t"};
+  header_.units = {"s"};
+  for (const AemValue& value : layout_.values) {
+    header_.names.push_back(value.column);
+    header_.units.push_back(value.unit);
+  }
 }
 
 void AemReader::find_segments() {
@@ -79,16 +93,17 @@ void AemReader::find_segments() {
     return system::FileError(header_.file, fmt::format("it is cut off: {} is missing", missing),
                              "get the whole message");
   };
-  bool in_metadata = false, in_data = false;
+  bool in_metadata = false, in_data = false, is_version_1 = false;
   std::string_view line;
   while (lines_.next(line)) {
     if (is_comment_of_message(line)) continue;
     if (in_data && !trimmed(line).starts_with("DATA_STOP")) continue;
     const auto [keyword, value] = keyword_line(line);
-    if (keyword == version_keyword) version_ = value;
-    if (keyword == "META_START") segments_.push_back({{}, lines_.number(), 0, 0});
+    if (keyword == version_keyword) is_version_1 = value.starts_with("1");
+    if (keyword == "META_START")
+      segments_.push_back({{lines_.place(), is_version_1, {}}, lines_.number(), 0, 0});
     if (keyword == "META_STOP") in_metadata = false;
-    if (in_metadata) segments_.back().metadata[keyword] = value;
+    if (in_metadata) segments_.back().metadata.values[keyword] = value;
     if (keyword == "META_START") in_metadata = true;
     if (keyword != "DATA_START" && keyword != "DATA_STOP") continue;
     if (segments_.empty()) throw cut_off("META_START");
@@ -103,6 +118,7 @@ void AemReader::find_segments() {
 
 /// A command for each of the first segments that writes it alone.
 std::string AemReader::remedy_for_segments() const {
+  if (is_xml_) return "keep one of its <segment> elements";
   constexpr std::size_t most = 3;
   std::vector<std::string> commands;
   for (std::size_t i = 0; i < std::min(most, segments_.size()); ++i) {
@@ -136,9 +152,14 @@ void AemReader::require_one_object() const {
 void AemReader::begin_pass(std::span<const std::size_t> columns) {
   lines_ = LineReader(input_);
   selected_.assign(columns.begin(), columns.end());
+  row_ = 0;
   segment_ = 0;
   last_epoch_.reset();
   begins_segment_ = false;
+}
+
+std::string AemReader::place() const {
+  return is_xml_ ? fmt::format("{}: row {}", header_.file, row_) : lines_.place();
 }
 
 bool AemReader::next_line(std::string_view& line) {
@@ -148,6 +169,7 @@ bool AemReader::next_line(std::string_view& line) {
       ++segment_;
       begins_segment_ = true;
     } else if (lines_.number() > segment.data_start && !is_comment_of_message(line)) {
+      ++row_;
       return true;
     }
   }
@@ -179,6 +201,7 @@ bool AemReader::next(std::span<Number> numbers) {
     }
     switch (read_number(cells_[column], false, numbers[i])) {
       case table::Reading::number:
+        convert(layout_.values[column - 1], numbers[i]);
         break;
       case table::Reading::too_large:
         throw too_large(place(), header_.names[column], cells_[column]);

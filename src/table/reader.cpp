@@ -11,6 +11,7 @@
 #include "system/error.h"
 #include "system/file_kind.h"
 #include "table/aem_reader.h"
+#include "table/aem_xml.h"
 #include "table/csv_reader.h"
 #include "table/error.h"
 #include "table/input.h"
@@ -71,6 +72,7 @@ std::unique_ptr<Reader> open_format(Input input) {
   if (has_utf16_mark(start)) return open_format(utf8_from_utf16(input));
   if (start.starts_with("\x93NUMPY")) return std::make_unique<NpyReader>(std::move(input));
   if (start.starts_with("PK\x03\x04")) return std::make_unique<NpzReader>(std::move(input));
+  if (is_xml(start)) return std::make_unique<AemReader>(aem_from_xml(input), true);
   const auto kind = system::recognized_file_kind(start);
   if (kind && !begins_like_table(start)) {
     throw system::FileError(input.name(), fmt::format("the file is {}", *kind), remedy_for(*kind));
@@ -79,7 +81,7 @@ std::unique_ptr<Reader> open_format(Input input) {
     throw system::FileError(input.name(), "the file is binary data, or text that is not UTF-8",
                             "CSV, TSV, JSON, AEM and NumPy's .npy and .npz are read");
   }
-  if (AemReader::recognizes(start)) return std::make_unique<AemReader>(std::move(input));
+  if (AemReader::recognizes(start)) return std::make_unique<AemReader>(std::move(input), false);
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
   return std::make_unique<CsvReader>(std::move(input));
 }

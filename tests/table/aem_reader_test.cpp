@@ -117,6 +117,39 @@ TEST(Aem, HasEulerAnglesInTheOrderOfTheRotations) {
   EXPECT_THAT(refusal_of_message(message_head + segment(angles + "331\n")), HasSubstr("'331'"));
 }
 
+// The standard's example: alpha 0, delta 80 and angle 45 degrees are the quaternion 0.0805, 0.0334,
+// 0.9204, 0.3812, of which 2 (q1 q3 + q2 qc) = 0.1736 is the x of the spin axis.
+TEST(Aem, HasSpinAsEulerAngles) {
+  const std::string spin = frames + "ATTITUDE_TYPE = SPIN/NUTATION\n";
+  EXPECT_EQ(header_with(spin).sequence, "zxz");
+  EXPECT_EQ(header_with(spin).states_inverse, false);
+  EXPECT_THAT(rows_in(message_head + segment(spin, "0 80 45 1 2 3 4"))[0],
+              ElementsAre(1772619065, 90, 10, 45, 1, 2, 3, 4));
+}
+
+// Those of B relative to A are minus the body's if the body is A.
+TEST(Aem, HasAngularVelocitiesOfTheBody) {
+  const std::string reversed =
+      "REF_FRAME_A = SC_BODY_1\nREF_FRAME_B = ICRF\nATTITUDE_TYPE = QUATERNION/ANGVEL\n"
+      "ANGVEL_FRAME = ";
+  const auto open = [](const std::string& metadata) {
+    return "CCSDS_AEM_VERS = 2.0\n" + segment(metadata, "0 0 0 1 10 20 30");
+  };
+  EXPECT_THAT(rows_in(open(reversed + "SC_BODY_1\n"))[0],
+              ElementsAre(1772619065, 0, 0, 0, 1, -10, -20, -30));
+  EXPECT_EQ(open_message(open(reversed + "SC_BODY_1\n"))->header().names[5], "wx");
+  EXPECT_EQ(open_message(open(reversed + "ICRF\n"))->header().names[5], "omega_space_x");
+  EXPECT_EQ(open_message(open(reversed + "LVLH\n"))->header().names[5], "rate_of_1");
+}
+
+// Version 1.0 may mean derivatives of the angles.
+TEST(Aem, LeavesRatesOfUncertainMeaningUnread) {
+  const std::string rates = "ATTITUDE_TYPE = QUATERNION/RATE\nRATE_FRAME = REF_FRAME_B\n";
+  EXPECT_EQ(header_with(quaternions + rates).names[5], "wx");
+  EXPECT_EQ(header_with(quaternions + rates + "EULER_ROT_SEQ = 321\n").names[5], "rate_of_1");
+  EXPECT_EQ(header_with(quaternions + rates + "ATTITUDE_DIR = B2A\n").names[5], "rate_of_1");
+}
+
 TEST(Aem, JoinsConsecutiveSegmentsOfOneBody) {
   const auto rows = rows_in(message_head + segment(quaternions, "0 0 0 1", "BODY", 5) +
                             segment(quaternions, "1 0 0 0", "BODY", 6));
@@ -138,9 +171,11 @@ TEST(Aem, RefusesWhatItCannotRead) {
   const auto refusal = [](const std::string& metadata) {
     return refusal_of_message(message_head + segment(metadata));
   };
-  EXPECT_THAT(refusal(frames + "ATTITUDE_TYPE = SPIN\n"),
-              HasSubstr("a.aem:4: its ATTITUDE_TYPE is SPIN, which is not read"));
-  EXPECT_THAT(refusal(frames + "ATTITUDE_TYPE = SPIN/NUTATION\n"), HasSubstr("SPIN/NUTATION"));
+  EXPECT_THAT(refusal(frames + "ATTITUDE_TYPE = MATRIX\n"),
+              HasSubstr("a.aem:4: its ATTITUDE_TYPE is MATRIX, which is not read"));
+  EXPECT_THAT(refusal(frames + "ATTITUDE_TYPE = SPIN/WOBBLE\n"), HasSubstr("SPIN/WOBBLE"));
+  EXPECT_THAT(refusal("REF_FRAME_A = SC_BODY_1\nREF_FRAME_B = ICRF\nATTITUDE_TYPE = SPIN\n"),
+              HasSubstr("its spin axis is given in the frame of the body"));
   EXPECT_THAT(refusal(frames), HasSubstr("no ATTITUDE_TYPE"));
   EXPECT_THAT(refusal(frames + "ATTITUDE_TYPE = QUATERNION\n"), HasSubstr("no QUATERNION_TYPE"));
   EXPECT_THAT(refusal(quaternions + "ATTITUDE_DIR = UP\n"), HasSubstr("ATTITUDE_DIR is 'UP'"));
