@@ -498,5 +498,39 @@ TEST(Conventions, DoNotTakeWhatIsNotMeant) {
   }
 }
 
+TEST(Owners, MayPrecedeTheNames) {
+  EXPECT_THAT(readings_of({"Sat.ElapsedSecs", "Sat.AngularVelocityX", "Sat.AngularVelocityY",
+                           "Sat.AngularVelocityZ"}),
+              ElementsAre("t=Sat.ElapsedSecs,wx=Sat.AngularVelocityX,wy=Sat.AngularVelocityY,"
+                          "wz=Sat.AngularVelocityZ"));
+  EXPECT_THAT(readings_of({"Clock:offsetTime", "IMU_ATTI(0):gyroX", "IMU_ATTI(0):gyroY",
+                           "IMU_ATTI(0):gyroZ", "IMU_ATTI(0):quatW", "IMU_ATTI(0):quatX",
+                           "IMU_ATTI(0):quatY", "IMU_ATTI(0):quatZ"}),
+              SizeIs(1));
+  EXPECT_THAT(readings_of({"/t", "/a/gyro/x", "/a/gyro/y", "/a/gyro/z", "/b/gyro/x", "/b/gyro/y",
+                           "/b/gyro/z"}),
+              SizeIs(2));
+  EXPECT_THAT(refusal({"t", "bias.gyro.x", "bias.gyro.y", "bias.gyro.z"}),
+              HasSubstr("no columns have names of rates"));
+  EXPECT_THAT(refusal({"x (m/s)", "wx", "wy", "wz"}),
+              HasSubstr("no column is recognised as the time"));
+}
+
+TEST(Time, IsNotATemperature) {
+  EXPECT_THAT(readings_of({"TimeUS", "GyrX", "GyrY", "GyrZ", "T"}), SizeIs(2));
+  EXPECT_THAT(readings_of({"T", "wx", "wy", "wz"}), ElementsAre("t=T,wx=wx,wy=wy,wz=wz"));
+}
+
+TEST(Rates, OfBetaflightAreInDegrees) {
+  EXPECT_EQ(unit_in({"time", "gyroADC[0]", "gyroADC[1]", "gyroADC[2]"}), RateUnit::deg_s);
+}
+
+TEST(Quaternions, MayBeCalledRotations) {
+  EXPECT_THAT(readings_of({"t", "rotation.x", "rotation.y", "rotation.z", "rotation.w"}),
+              ElementsAre("t=t,qw=rotation.w,qx=rotation.x,qy=rotation.y,qz=rotation.z"));
+  EXPECT_THAT(refusal({"t", "rotation.x", "rotation.y", "rotation.z"}),
+              HasSubstr("no columns have names of rates"));
+}
+
 }  // namespace
 }  // namespace twrench::recording

@@ -186,7 +186,7 @@ TEST(RotationForms, OfQuaternionsMayStateTheirOrder) {
 TEST(RotationForms, AreNamedIfTheyAreNotRead) {
   const auto unread = [](std::vector<std::string> names) {
     const table::Header header{"run.csv", std::move(names), {}};
-    return possible_attitude_columns(header, conventions(header, {}).front());
+    return unread_columns(header, conventions(header, {}).front());
   };
   EXPECT_THAT(unread({"t", "wx", "wy", "wz", "sigma_x", "sigma_y", "sigma_z"}),
               ElementsAre("sigma_x", "sigma_y", "sigma_z"));
@@ -194,8 +194,21 @@ TEST(RotationForms, AreNamedIfTheyAreNotRead) {
               ElementsAre("s0", "s1", "s2", "s3"));
   EXPECT_THAT(unread({"t", "wx", "wy", "wz", "ax", "ay", "az", "mag_x", "mag_y", "mag_z", "x"}),
               IsEmpty());
-  EXPECT_THAT(unread({"t", "qw", "qx", "qy", "qz", "s1", "s2", "s3"}), IsEmpty());
+  EXPECT_THAT(unread({"t", "wx", "wy", "wz", "qw", "qx", "qy", "qz", "s1", "s2", "s3"}), IsEmpty());
   EXPECT_THAT(unread({"t", "wx", "wy", "wz", "-", "(%)"}), IsEmpty());  // no word at all
+}
+
+TEST(Rates, AreNamedIfTheyAreNotRead) {
+  const auto unread = [](std::vector<std::string> names) {
+    names.insert(names.begin(), {"t", "qw", "qx", "qy", "qz"});
+    const table::Header header{"run.csv", std::move(names), {}};
+    return unread_columns(header, conventions(header, {}).front());
+  };
+  EXPECT_THAT(unread({"turn_x", "turn_y", "turn_z"}), ElementsAre("turn_x", "turn_y", "turn_z"));
+  EXPECT_THAT(unread({"omega_inertial_x", "omega_inertial_y", "omega_inertial_z"}), SizeIs(3));
+  EXPECT_THAT(unread({"bias_gyro_x", "bias_gyro_y", "bias_gyro_z", "pos_x", "pos_y", "pos_z", "vx",
+                      "vy", "vz", "vel_x", "vel_y", "vel_z", "euler_1", "euler_2", "euler_3"}),
+              IsEmpty());
 }
 
 TEST(EulerAngles, AreFoundByAxesAndWithUnits) {

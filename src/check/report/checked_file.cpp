@@ -97,8 +97,7 @@ CheckedFile check_file(recording::Recording recording, const Convention& given,
   CheckedFile file{recording.name(), judge(recording, convention, problem), {}, {}, {}, 0};
   file.alternatives = better_readings(recording, problem, file.judgement);
   file.other_start = other_start_of(recording, file, problem);
-  if (given.columns.empty())
-    file.unread = possible_attitude_columns(recording.header(), convention);
+  if (given.columns.empty()) file.unread = unread_columns(recording.header(), convention);
   file.bounds = applied(bounds, file.name, file.judgement);
   if (file.judgement.rows > 1) {
     file.step = file.judgement.duration / static_cast<double>(file.judgement.rows - 1);

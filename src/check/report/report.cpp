@@ -66,15 +66,16 @@ std::string start_text(const Judgement& judgement) {
   return text;
 }
 
-/// The columns that are not read, but could be an attitude.
+/// The columns that are not read, but could be rates or an attitude.
 std::string unread_text(const CheckedFile& file) {
   if (file.unread.empty()) return {};
   constexpr std::size_t most = 9;
   const std::size_t shown = std::min(most, file.unread.size());
   const std::vector<std::string> first(file.unread.begin(),
                                        file.unread.begin() + static_cast<std::ptrdiff_t>(shown));
-  return fmt::format("{}{}; if they are an attitude, {} names it", joined(first, ", "),
-                     shown < file.unread.size() ? " ..." : "", argument("columns"));
+  return fmt::format("{}{}; if they are {}, {} names them", joined(first, ", "),
+                     shown < file.unread.size() ? " ..." : "",
+                     file.judgement.has_rates ? "an attitude" : "rates", argument("columns"));
 }
 
 std::string size_text(const Judgement& judgement, const std::optional<ErrorSize>& size,

@@ -30,7 +30,7 @@ struct CheckedFile {
   std::optional<Fit> other_start;
   std::vector<CheckBound> bounds;
   double step;  ///< s: as the user gave it, or the mean time between rows
-  /// Columns that are not read, but could be an attitude.
+  /// Columns that are not read, but could be what the file lacks: rates or an attitude.
   std::vector<std::string> unread = {};
 };
 

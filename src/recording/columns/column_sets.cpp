@@ -51,13 +51,14 @@ std::vector<std::size_t> require_single(const table::Header& header, Kind kind,
   return columns;
 }
 
-/// The columns that have our own names.
+/// The columns that have our own names. A T in a file with other times is a temperature.
 Group find_ours(const table::Header& header, Kind kind) {
   Group group;
   for (const std::string& name : names_of(kind)) {
     std::vector<std::size_t>& of_one = group.columns.emplace_back();
     for (std::size_t column = 0; column < header.names.size(); ++column) {
-      if (to_lower(header.names[column]) == name) of_one.push_back(column);
+      const std::string& theirs = header.names[column];
+      if (theirs == name || (to_lower(theirs) == name && theirs != "T")) of_one.push_back(column);
     }
   }
   return group;
@@ -80,7 +81,7 @@ std::map<std::string, Group> find_times(const table::Header& header) {
     const bool is_composed =
         header.calendar_of(column) != table::Calendar::none || terms_of(header, column);
     if (terms.contains(column) || is_composed) continue;
-    for (const Role& role : roles_of(words_of(header.names[column]), Kind::time)) {
+    for (const Role& role : roles_of(header.names[column], Kind::time)) {
       Group& group = groups[role.group];
       group.columns.resize(1);
       group.columns[0].push_back(column);
@@ -101,7 +102,7 @@ std::map<std::string, Group> find_groups(const table::Header& header, Kind kind)
   if (kind == Kind::time) return find_times(header);
   std::map<std::string, Group> groups;
   for (std::size_t column = 0; column < header.names.size(); ++column) {
-    for (const Role& role : roles_of(words_of(header.names[column]), kind)) {
+    for (const Role& role : roles_of(header.names[column], kind)) {
       Group& group = groups[role.group];
       group.columns.resize(names_of(kind).size());
       group.columns[role.component].push_back(column);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "recording/conventions/names.h"
@@ -19,7 +20,8 @@ struct Role {
   bool is_weak = false;       ///< for rx and sigma_1, which also have other usual meanings
 };
 
-/// Returns the roles of this kind that a column with these words in its name may have.
-std::vector<Role> roles_of(const std::vector<std::string>& words, Kind kind);
+/// Returns the roles of this kind that a column of this name may have. What precedes a point or a
+/// colon may name an owner: "Sat.Q1", "IMU_ATTI(0):gyroX".
+std::vector<Role> roles_of(std::string_view name, Kind kind);
 
 }  // namespace twrench::recording

@@ -73,12 +73,13 @@ struct RateWord {
   std::string_view word;
   RateUnit unit;
 };
-/// Units of angles, and of rates if "per second" follows.
-constexpr std::array<RateWord, 15> angle_words{{{"deg", RateUnit::deg_s},
+/// Units of angles, and of rates if "per second" follows. Betaflight's gyroADC is in deg/s.
+constexpr std::array<RateWord, 16> angle_words{{{"deg", RateUnit::deg_s},
                                                 {"degs", RateUnit::deg_s},
                                                 {"degree", RateUnit::deg_s},
                                                 {"degrees", RateUnit::deg_s},
                                                 {"dps", RateUnit::deg_s},
+                                                {"adc", RateUnit::deg_s},
                                                 {"degps", RateUnit::deg_s},
                                                 {"rad", RateUnit::rad_s},
                                                 {"rads", RateUnit::rad_s},
@@ -154,7 +155,8 @@ std::size_t take_unit(std::span<const std::string> words, std::size_t at, Stated
   if (angle != angle_words.end()) {
     unit.rate = angle->unit;
     const std::size_t next = at + 1 < words.size() && words[at + 1] == "per" ? at + 2 : at + 1;
-    constexpr std::array<std::string_view, 5> per_second{"dps", "degps", "radps", "rps", "rpm"};
+    constexpr std::array<std::string_view, 6> per_second{"adc",   "dps", "degps",
+                                                         "radps", "rps", "rpm"};
     const bool is_a_minute = next < words.size() && words[next] == "min";
     if (is_a_minute && angle->unit == RateUnit::rev_s) unit.rate = RateUnit::rpm;
     if (is_a_minute && angle->unit != RateUnit::rev_s) unit.unread = words[at] + "/min";

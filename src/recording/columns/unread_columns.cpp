@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -12,67 +11,14 @@
 
 #include "recording/columns/columns.h"
 #include "recording/columns/stated_unit.h"
+#include "recording/columns/word_lists.h"
 
 namespace twrench::recording {
 namespace {
 
-/// Words of quantities that are no attitude.
-constexpr std::array<std::string_view, 52> other_quantities{"a",
-                                                            "acc",
-                                                            "accel",
-                                                            "acceleration",
-                                                            "accelerometer",
-                                                            "alpha",
-                                                            "b",
-                                                            "bias",
-                                                            "cov",
-                                                            "drift",
-                                                            "energy",
-                                                            "err",
-                                                            "error",
-                                                            "f",
-                                                            "force",
-                                                            "g",
-                                                            "gps",
-                                                            "gravity",
-                                                            "gyr",
-                                                            "gyro",
-                                                            "gyroscope",
-                                                            "h",
-                                                            "l",
-                                                            "lin",
-                                                            "linear",
-                                                            "m",
-                                                            "mag",
-                                                            "magnetic",
-                                                            "magfield",
-                                                            "momentum",
-                                                            "omega",
-                                                            "p",
-                                                            "pos",
-                                                            "position",
-                                                            "pressure",
-                                                            "r",
-                                                            "rate",
-                                                            "rates",
-                                                            "speed",
-                                                            "std",
-                                                            "stddev",
-                                                            "tau",
-                                                            "temp",
-                                                            "torque",
-                                                            "v",
-                                                            "var",
-                                                            "vel",
-                                                            "velocity",
-                                                            "w",
-                                                            "angvel",
-                                                            "magnetometer",
-                                                            "angular"};
-
-/// The name without the word for its component; nothing if it has none, or names another quantity.
-std::optional<std::string> stem_of(const std::string& name) {
-  std::vector<std::string> words = words_of(name);
+/// The words of a name without its unit and without that for its component; nothing if it has none.
+std::optional<Words> stem_of(const std::string& name) {
+  Words words = words_of(name);
   const auto ends_with_unit = [&] {
     const StatedUnit unit = stated_unit({words.back()});
     return words.size() > 1 && (unit.rate || unit.time);
@@ -84,25 +30,41 @@ std::optional<std::string> stem_of(const std::string& name) {
   if (components.find(last.back()) == std::string_view::npos) return std::nullopt;
   last.pop_back();
   if (words.size() == 1 && last.empty()) return std::nullopt;
-  const auto is_other = [](const std::string& word) {
-    return std::ranges::find(other_quantities, word) != other_quantities.end();
-  };
-  if (std::ranges::any_of(words, is_other)) return std::nullopt;
-  return fmt::format("{}", fmt::join(words, " "));
+  return words;
+}
+
+/// Single letters other than s are those of forces, positions, velocities and the like.
+bool is_letter_of_vector(const std::string& word) { return word.size() == 1 && word != "s"; }
+
+bool may_be_attitude(const Words& stem) {
+  return !has_any(stem, {"gyr", "gyro", "gyroscope", "omega", "rate", "rates", "speed", "vel",
+                         "velocity", "angvel", "angular"}) &&
+         !has_any(stem, {"a", "b", "f", "g", "h", "l", "m", "p", "r", "v", "w"});
+}
+
+bool may_be_rates(const Words& stem) {
+  const bool is_angular = has_any(stem, {"ang", "angular", "gyr", "gyro", "omega", "rotation"});
+  const bool is_speed = has_any(stem, {"speed", "vel", "velocity"});
+  return (is_angular || !is_speed) && !is_letter_of_vector(stem.front()) &&
+         !has_any(stem, {"q", "quat", "quaternion", "euler", "orientation", "attitude", "att",
+                         "dcm", "rot", "rotvec", "mrp"});
 }
 
 }  // namespace
 
-std::vector<std::string> possible_attitude_columns(const table::Header& header,
-                                                   const Convention& convention) {
-  if (attitude_form(convention) != AttitudeForm::none) return {};
-  std::map<std::string, std::vector<std::string>> by_stem;
+std::vector<std::string> unread_columns(const table::Header& header, const Convention& convention) {
+  const bool lacks_attitude = attitude_form(convention) == AttitudeForm::none;
+  const bool lacks_rates = !has_rates(convention);
+  std::map<Words, std::vector<std::string>> by_stem;
   for (std::size_t i = 0; i < header.names.size(); ++i) {
     const std::string name = name_for(header, i);
     const bool is_used = std::ranges::any_of(
         convention.columns, [&](const auto& column) { return column.second == name; });
     const auto stem = is_used ? std::nullopt : stem_of(header.names[i]);
-    if (stem) by_stem[*stem].push_back(name);
+    if (!stem || are_of_other_quantity(*stem)) continue;
+    const bool may_be_lacking =
+        (lacks_attitude && may_be_attitude(*stem)) || (lacks_rates && may_be_rates(*stem));
+    if (may_be_lacking) by_stem[*stem].push_back(name);
   }
   std::vector<std::string> columns;
   constexpr std::size_t least = 3;
