@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -102,6 +104,39 @@ TEST(Recording, ReadsNumberedQuaternionsInTheirUsualOrder) {
   text.replace(text.find("q0,q1,q2,q3"), 11, "q3,q0,q1,q2");
   const Recording last(table::open_table("run.csv", text));
   EXPECT_THROW(choose_convention(last, {}, tumbling_problem()), InvalidArgument);
+}
+
+/// Angles about these axes, each as turned by the rotations before, in columns of their names.
+std::string euler_angles(const std::array<int, 3>& axes, double unit) {
+  constexpr std::array names{"roll", "pitch", "yaw"};
+  std::string text = "t,wx,wy,wz";
+  for (const int axis : axes) text += std::string(",") + names.at(static_cast<std::size_t>(axis));
+  for (const recording::Row& row : exact_rows()) {
+    const Eigen::Vector3d angles = row.X.eulerAngles(axes[0], axes[1], axes[2]) / unit;
+    text += fmt::format("\n{},{},{},{},{},{},{}", row.t, row.omega[0], row.omega[1], row.omega[2],
+                        angles[0], angles[1], angles[2]);
+  }
+  return text;
+}
+
+// Neither the sequence zyx is asked for if it fits, nor degrees if angles exceed a turn in radians.
+TEST(Recording, ReadsYawPitchAndRollInTheirUsualSequence) {
+  const auto choice = [](const std::string& text) {
+    return choose_convention(Recording(table::open_table("run.csv", std::string_view(text))), {},
+                             tumbling_problem());
+  };
+  constexpr double degree = std::numbers::pi / 180;
+  EXPECT_EQ(choice(euler_angles({2, 1, 0}, 1)).sequence, "zyx");
+  EXPECT_EQ(angle_unit(choice(euler_angles({2, 1, 0}, 1))), recording::Angle::radians);
+  EXPECT_EQ(choice(euler_angles({2, 1, 0}, degree)).sequence, "zyx");
+  EXPECT_EQ(choice(euler_angles({2, 1, 0}, degree)).angle_unit, recording::Angle::degrees);
+  try {
+    choice(euler_angles({0, 1, 2}, 1));
+    ADD_FAILURE() << "it chose";
+  } catch (const InvalidArgument& error) {
+    EXPECT_EQ(error.remedy(),
+              "these angles fit in the sequence xyz, space from body: add --sequence xyz");
+  }
 }
 
 // Two units are possible, and only one of them fits.

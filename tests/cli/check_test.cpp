@@ -173,18 +173,11 @@ TEST_F(CheckCommand, RefusesACaseBesideAnotherBodyOrAnUnknownOne) {
 }
 
 TEST_F(CheckCommand, SeesThatTheAttitudeIsAgainstTheEarth) {
-  const Outcome run = check(nasa_folder + "01.csv" + brick + "--sequence zyx");
+  const Outcome run = check(nasa_folder + "01.csv" + brick);
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("attitude and rates are inconsistent"), HasSubstr("the Earth's rate"),
                     HasSubstr("the rates have no detectable error")));
-}
-
-TEST_F(CheckCommand, ProposesTheSequenceThatFits) {
-  const Outcome run = check(nasa_folder + "01.csv" + brick);
-  EXPECT_EQ(run.code, 2) << run.out;
-  EXPECT_THAT(run.err, HasSubstr("its columns can be read in 6 ways\n  these angles fit in the "
-                                 "sequence zyx, space from body: add --sequence zyx\n"));
 }
 
 TEST_F(CheckCommand, HasTheKeysOfTheContract) {

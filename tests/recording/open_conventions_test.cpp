@@ -525,6 +525,11 @@ TEST(Rates, OfBetaflightAreInDegrees) {
   EXPECT_EQ(unit_in({"time", "gyroADC[0]", "gyroADC[1]", "gyroADC[2]"}), RateUnit::deg_s);
 }
 
+TEST(Quaternions, ArePreferredToEulerAnglesOfOpenSequence) {
+  EXPECT_THAT(readings_of({"t", "roll", "pitch", "yaw", "qz", "qy", "qx", "qw"}),
+              ElementsAre("t=t,qw=qw,qx=qx,qy=qy,qz=qz"));
+}
+
 TEST(Quaternions, MayBeCalledRotations) {
   EXPECT_THAT(readings_of({"t", "rotation.x", "rotation.y", "rotation.z", "rotation.w"}),
               ElementsAre("t=t,qw=rotation.w,qx=rotation.x,qy=rotation.y,qz=rotation.z"));

@@ -15,6 +15,7 @@
 #include "check/hypotheses/hypotheses.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/hypotheses/readings.h"
+#include "recording/angle_choice.h"
 #include "recording/columns/columns.h"
 #include "recording/columns/open_conventions.h"
 #include "recording/columns/stated_unit.h"
@@ -94,6 +95,18 @@ bool is_usual_order(const table::Header& header, const std::vector<Convention>& 
          without_quaternion(open[0]) == without_quaternion(open[1]);
 }
 
+/// Whether the conventions differ only in the sequence of Euler angles, or in their unit if their
+/// size leaves it open, and this one has the usual sequence.
+bool is_usual_sequence(const std::vector<Convention>& open, const Convention& one) {
+  const auto differs_otherwise = [&](Convention other) {
+    other.sequence = one.sequence;
+    other.angle_unit = one.angle_unit;
+    return !changing_arguments(one, other).empty();
+  };
+  return attitude_form(one) == AttitudeForm::euler && one.sequence == "zyx" &&
+         std::ranges::none_of(open, differs_otherwise);
+}
+
 /// The convention with times in s, if only the unit of times is open.
 std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
   const bool is_unit_alone = std::ranges::all_of(open, [&](Convention convention) {
@@ -151,14 +164,17 @@ std::optional<Reading> unexpected(const recording::Recording& recording, const P
 Convention choose_convention(const recording::Recording& recording, const Convention& given,
                              const std::optional<Problem>& problem) {
   const table::Header& header = recording.header();
-  std::vector<Convention> open = with_times(recording, recording::conventions(header, given));
+  std::vector<Convention> open =
+      with_angle_units(recording, with_times(recording, recording::conventions(header, given)));
   if (problem) {
     for (Convention& convention : open) convention.inertia = problem->inertia;
   }
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting;
   if (problem) fitting = only_fitting(readings(recording, problem->inertia, open));
-  if (fitting && is_usual_order(header, open, fitting->convention)) return fitting->convention;
+  const bool is_usual = fitting && (is_usual_order(header, open, fitting->convention) ||
+                                    is_usual_sequence(open, fitting->convention));
+  if (is_usual) return fitting->convention;
   if (problem && !fitting) fitting = unexpected(recording, *problem, open);
   if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;
   throw ambiguous(header, open, fitting);

@@ -129,12 +129,16 @@ std::vector<ColumnSet> find_rates(const table::Header& header) {
 }
 
 /// The attitudes by the names of their columns. Names that have other usual meanings count only if
-/// no others are there.
-std::vector<ColumnSet> find_attitudes(const table::Header& header) {
+/// no others are there, and so do Euler angles whose sequence is open.
+std::vector<ColumnSet> find_attitudes(const table::Header& header, const Convention& said) {
   std::vector<ColumnSet> found;
   for (const Kind kind : attitude_kinds())
     std::ranges::move(find_sets(header, kind), std::back_inserter(found));
   if (!std::ranges::all_of(found, &ColumnSet::is_weak)) std::erase_if(found, &ColumnSet::is_weak);
+  const auto has_open_sequence = [&](const ColumnSet& set) {
+    return set.kind == Kind::euler && header.sequence.empty() && said.sequence.empty();
+  };
+  if (!std::ranges::all_of(found, has_open_sequence)) std::erase_if(found, has_open_sequence);
   return found;
 }
 
@@ -201,7 +205,7 @@ std::vector<ColumnChoice> column_choices(const table::Header& header, const Conv
   std::vector<std::optional<ColumnSet>> rates{said_rates(header, said)};
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
-    std::vector<ColumnSet> found_rates = find_rates(header), found = find_attitudes(header);
+    std::vector<ColumnSet> found_rates = find_rates(header), found = find_attitudes(header, said);
     if (found_rates.empty() && found.empty()) found_rates = bare_rates(header);
     rates = or_nothing(found_rates);
     attitude = or_nothing(found);
