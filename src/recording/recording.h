@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "recording/columns/summed_times.h"
+#include "recording/columns/derived_times.h"
 #include "recording/conventions/convention.h"
 #include "recording/row_reader.h"
 #include "table/reader.h"
@@ -28,7 +28,7 @@ struct RowSample {
 class Recording {
  public:
   explicit Recording(std::unique_ptr<table::Reader> table)
-      : table_(with_summed_times(std::move(table))) {}
+      : table_(with_derived_times(std::move(table))) {}
   /// Opens a file. Throws what table::open_table throws.
   explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {}
 

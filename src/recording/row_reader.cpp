@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "recording/columns/summed_times.h"
 #include "recording/digits.h"
 #include "recording/row_decoder.h"
 #include "table/calendar.h"
@@ -41,7 +40,8 @@ RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention&
       convention(meant),
       decoder(reader->header(), convention, [this] { return reader->place(); }),
       numbers(decoder.columns().size()),
-      time_digits(has_calendar() || terms_of(reader->header(), decoder.columns().front())) {
+      time_digits(has_calendar() ||
+                  !reader->header().sources_of(decoder.columns().front()).empty()) {
   reader->begin_pass(decoder.columns());
 }
 

@@ -47,13 +47,6 @@ bool is_known_unit(std::string_view cell) {
   return std::ranges::find(known, cell) != known.end();
 }
 
-/// Whether the cells below the names are units rather than a row: none is a number, except for the
-/// 1 of a quantity without a unit.
-bool are_units(std::span<const std::string_view> cells) {
-  const auto is_value = [](std::string_view cell) { return cell != "1" && is_numeric(cell); };
-  return std::ranges::none_of(cells, is_value) && std::ranges::any_of(cells, is_known_unit);
-}
-
 bool is_name(std::string_view cell) { return !cell.empty() && !is_numeric(cell); }
 
 /// Whether the cell of this line is in quotation marks.
@@ -153,7 +146,35 @@ std::optional<CsvHeader> commented_header(const Sample& sample, char separator) 
   return std::nullopt;
 }
 
+/// Whether two columns have the same name.
+bool have_doubles(const std::vector<std::string>& names) {
+  std::set<std::string_view> seen;
+  return std::ranges::any_of(
+      names, [&](const std::string& name) { return !name.empty() && !seen.insert(name).second; });
+}
+
 }  // namespace
+
+bool are_units(std::span<const std::string_view> cells) {
+  const auto is_value = [](std::string_view cell) { return cell != "1" && is_numeric(cell); };
+  return std::ranges::none_of(cells, is_value) && std::ranges::any_of(cells, is_known_unit);
+}
+
+void add_groups(const std::vector<std::string>& lines, char separator,
+                std::vector<std::string>& names) {
+  std::vector<std::string> longer = names;
+  for (std::size_t i = lines.size(); have_doubles(longer) && i-- > 0;) {
+    const Cells cells = cells_of(lines[i], separator);
+    if (cells.size() != names.size()) continue;
+    std::string_view group;
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      if (!cells[column].empty()) group = cells[column];
+      const bool is_named = !group.empty() && !longer[column].empty();
+      if (is_named) longer[column] = fmt::format("{}: {}", group, longer[column]);
+    }
+  }
+  if (!have_doubles(longer)) names = std::move(longer);
+}
 
 CsvHeader find_csv_header(const Sample& sample, char separator) {
   const Cells first = cells_of(sample.lines[0].text, separator);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "system/error.h"
@@ -27,11 +28,13 @@ CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
   semicolon_marks_comment_ = sample.semicolon_marks_comment;
   dialect_ = detect_dialect(sample, header_.file);
   read_header(sample);
+  std::ranges::copy(sample.comments, std::back_inserter(header_.preamble));
 }
 
 void CsvReader::read_header(const Sample& sample) {
   CsvHeader header = find_csv_header(sample, dialect_.separator);
   header_.names = std::move(header.names);
+  add_groups(header_.preamble, dialect_.separator, header_.names);
   header_.units = std::move(header.units);
   if (header.first_row == sample.lines.size()) {
     throw BadTable(header_.file, "it has a header, but no rows");

@@ -9,8 +9,9 @@
 namespace twrench::table {
 
 /// Finds the lines before the names of the columns that are no comments: those up to "endheader" or
-/// "End_of_Header", "sep=;" of spreadsheets, and lines with fewer cells than a line of names that
-/// is followed by rows. Returns none if the file begins with names or rows.
+/// "End_of_Header", "sep=;" of spreadsheets, and others before a line of names that is followed by
+/// rows: lines with another number of cells, or with the names of groups of columns. Returns none
+/// if the file begins with names or rows.
 std::vector<std::string> find_preamble(const Input& input);
 
 }  // namespace twrench::table

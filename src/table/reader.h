@@ -24,11 +24,16 @@ struct Header {
   /// The kind of each column, from the first row; empty if none has calendar times. Their numbers
   /// are in s since 1970, or since midnight.
   std::vector<Calendar> calendar = {};
-  std::vector<std::string> preamble =
-      {};  ///< the lines before the names, without comments that follow
+  /// The lines before the names, then the comments before the rows without their marks.
+  std::vector<std::string> preamble = {};
+  /// For a column that was added, those from which it follows; empty for those of the file.
+  std::vector<std::vector<std::size_t>> sources = {};
 
   Calendar calendar_of(std::size_t column) const {
     return column < calendar.size() ? calendar[column] : Calendar::none;
+  }
+  std::vector<std::size_t> sources_of(std::size_t column) const {
+    return column < sources.size() ? sources[column] : std::vector<std::size_t>();
   }
 };
 

@@ -75,7 +75,9 @@ TEST(RotationForms, AreFoundByTheirNames) {
                 ElementsAre(fmt::format("t=t,rvx={0}x,rvy={0}y,rvz={0}z", s)))
         << stem;
   }
-  EXPECT_THAT(columns_by_name({"t", "rx", "ry", "rz"}), ElementsAre("t=t,rvx=rx,rvy=ry,rvz=rz"));
+  EXPECT_THAT(columns_by_name({"t", "rx", "ry", "rz"}),
+              AllOf(SizeIs(7), testing::Contains("t=t,rvx=rx,rvy=ry,rvz=rz"),
+                    testing::Contains("t=t,yaw=rz,pitch=ry,roll=rx")));
   EXPECT_THAT(columns_by_name({"t", "rotvec[0]", "rotvec[1]", "rotvec[2]"}),
               ElementsAre("t=t,rvx=rotvec[0],rvy=rotvec[1],rvz=rotvec[2]"));
   EXPECT_THAT(columns_by_name({"t", "ax", "ay", "az", "angle"}),
@@ -132,8 +134,8 @@ TEST(RotationForms, DoNotTakeSigmaWithLettersForParameters) {
 
 TEST(RotationForms, AreDecoded) {
   constexpr double rounding = 1e-14;
-  EXPECT_TRUE(attitude_in(row_of("rx,ry,rz", angle * axis)).isApprox(turn, rounding));
-  EXPECT_TRUE(attitude_in(row_of("rx_deg,ry_deg,rz_deg", angle / one_degree * axis))
+  EXPECT_TRUE(attitude_in(row_of("rvx,rvy,rvz", angle * axis)).isApprox(turn, rounding));
+  EXPECT_TRUE(attitude_in(row_of("rv_x_deg,rv_y_deg,rv_z_deg", angle / one_degree * axis))
                   .isApprox(turn, rounding));
   const Vector3d mrp = std::tan(angle / 4) * axis;
   EXPECT_TRUE(attitude_in(row_of("mrp_x,mrp_y,mrp_z", mrp)).isApprox(turn, rounding));

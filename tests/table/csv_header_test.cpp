@@ -98,6 +98,28 @@ TEST(CsvHeader, MayFollowOtherLines) {
   }
 }
 
+// Motion capture has the names of bodies and quantities above those of the columns.
+TEST(CsvHeader, MayHaveGroupsOfColumnsAbove) {
+  const auto names_of = [](const std::string& header, const std::string& rows) {
+    return read_table(header + rows).names;
+  };
+  const std::string vicon = "Segments\n50\n,,body,,\nFrame,Sub Frame,RX,RY,RZ\n,,rad,rad,rad\n";
+  EXPECT_THAT(names_of(vicon, "1,0,1,2,3\n2,0,1,2,3\n"),
+              ElementsAre("Frame", "Sub Frame", "RX", "RY", "RZ"));
+  EXPECT_THAT(units_of(vicon + "1,0,1,2,3\n2,0,1,2,3\n"), ElementsAre("", "", "rad", "rad", "rad"));
+  EXPECT_THAT(names_of("50\n,A,,B,\nFrame,RX,RY,RX,RY\n", "1,1,2,3,4\n2,1,2,3,4\n"),
+              ElementsAre("Frame", "A: RX", "A: RY", "B: RX", "B: RY"));
+  EXPECT_THAT(names_of("Version,1.23,Rate,50.0,Type,Quaternion,Unit,m,More,1,2\n\n"
+                       ",ID,1,1,1,1\n,,Rotation,Rotation,Position,Error\nFrame,Time,X,Y,X,\n",
+                       "0,0,1,2,3,4\n1,1,1,2,3,4\n"),
+              ElementsAre("Frame", "Time", "Rotation: X", "Rotation: Y", "Position: X", ""));
+}
+
+TEST(CsvHeader, IsNotARowOfWords) {
+  EXPECT_THAT(table_error_of("t,a,b\nidle,idle,idle\n0,1,2\n1,2,3\n"), HasSubstr("run:2: "));
+  EXPECT_THAT(table_error_of("t,a,b,c\nx,y,z,NA\n0,1,2,3\n1,2,3,4\n"), HasSubstr("run:2: "));
+}
+
 // A row that lacks a cell is an error, not a line before the table.
 TEST(CsvHeader, FollowsNoLinesThatMayBeRows) {
   EXPECT_THAT(file_error_of("0,1\n0,1,2\n3,4,5\n6,7,8\n"), HasSubstr("cells"));

@@ -107,6 +107,15 @@ bool is_usual_sequence(const std::vector<Convention>& open, const Convention& on
          std::ranges::none_of(open, differs_otherwise);
 }
 
+/// Whether the others are Euler angles in the columns of a rotation vector, as RX, RY and RZ are
+/// rather called.
+bool is_usual_vector(const std::vector<Convention>& open, const Convention& one) {
+  return attitude_form(one) == AttitudeForm::rotation_vector &&
+         std::ranges::all_of(open, [&](const Convention& other) {
+           return attitude_form(other) == AttitudeForm::euler || other.columns == one.columns;
+         });
+}
+
 /// The convention with times in s, if only the unit of times is open.
 std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
   const bool is_unit_alone = std::ranges::all_of(open, [&](Convention convention) {
@@ -173,7 +182,8 @@ Convention choose_convention(const recording::Recording& recording, const Conven
   std::optional<Reading> fitting;
   if (problem) fitting = only_fitting(readings(recording, problem->inertia, open));
   const bool is_usual = fitting && (is_usual_order(header, open, fitting->convention) ||
-                                    is_usual_sequence(open, fitting->convention));
+                                    is_usual_sequence(open, fitting->convention) ||
+                                    is_usual_vector(open, fitting->convention));
   if (is_usual) return fitting->convention;
   if (problem && !fitting) fitting = unexpected(recording, *problem, open);
   if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;

@@ -67,18 +67,23 @@ void add_euler(const Words& all_words, std::vector<Role>& roles) {
   const StatedUnit unit = stated_unit(all_words);
   if (is_rate_in_radians_or_degrees(unit)) return;
   const Words& words = unit.other_words;
+  // RX, RY and RZ are rotation vectors or Euler angles.
+  if (const auto component = joined_component(words, {"r"}))
+    roles.push_back({"r", 2 - *component, false, false, true});
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Words rest = without(words, i);
     for (const Alphabet& alphabet : angles) {
       const auto component = component_of(alphabet, words[i]);
       const bool is_named = is_in({"ypr", "greek", "hpr"}, alphabet.name);
+      // Motion capture calls them "Rotation: X", and other attitudes as well.
+      const bool is_rotation = rest == Words{"rotation"} && alphabet.name == "zyx";
       const bool is_known = (is_named || has_any(rest, {"euler", "eul"})) &&
                             has_only(rest, {"euler", "eul", "angle", "angles", "attitude", "att",
                                             "orientation", "body", "ypr", "rpy"});
-      if (!component || !is_known) continue;
+      if (!component || !(is_known || is_rotation)) continue;
       const bool is_numbered = is_in({"012", "123"}, alphabet.name);
       roles.push_back({group_of(alphabet, all_words, words[i]), *component, false, is_numbered,
-                       alphabet.name == "hpr"});
+                       alphabet.name == "hpr" || is_rotation});
     }
   }
 }

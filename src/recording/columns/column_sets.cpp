@@ -14,7 +14,6 @@
 #include "recording/columns/column_words.h"
 #include "recording/columns/columns.h"
 #include "recording/columns/stated_unit.h"
-#include "recording/columns/summed_times.h"
 
 namespace twrench::recording {
 namespace {
@@ -64,37 +63,35 @@ Group find_ours(const table::Header& header, Kind kind) {
   return group;
 }
 
-/// The columns that are a part of a time that is a sum of two columns.
-std::set<std::size_t> terms_of_sums(const table::Header& header) {
-  std::set<std::size_t> terms;
-  for (std::size_t column = 0; column < header.names.size(); ++column) {
-    if (const auto pair = terms_of(header, column)) terms.insert({pair->first, pair->second});
-  }
-  return terms;
-}
-
-/// Calendar times and sums of two columns are times whatever their names are.
+/// Calendar times and times that follow from other columns are times whatever their names are.
 std::map<std::string, Group> find_times(const table::Header& header) {
   std::map<std::string, Group> groups;
-  const std::set<std::size_t> terms = terms_of_sums(header);
-  for (std::size_t column = 0; column < header.names.size(); ++column) {
-    const bool is_composed =
-        header.calendar_of(column) != table::Calendar::none || terms_of(header, column);
-    if (terms.contains(column) || is_composed) continue;
-    for (const Role& role : roles_of(header.names[column], Kind::time)) {
-      Group& group = groups[role.group];
-      group.columns.resize(1);
-      group.columns[0].push_back(column);
+  std::set<std::size_t> sources;
+  for (std::size_t column = 0; column < header.sources.size(); ++column) {
+    for (const std::size_t source : header.sources[column]) {
+      if (source != column) sources.insert(source);
     }
   }
+  std::optional<std::size_t> of_frames;
   for (std::size_t column = 0; column < header.names.size(); ++column) {
+    if (sources.contains(column)) continue;
     const table::Calendar calendar = header.calendar_of(column);
     const bool is_calendar =
         calendar == table::Calendar::date_time || calendar == table::Calendar::time_of_day;
-    const bool is_composed = is_calendar || terms_of(header, column);
-    if (is_composed && !terms.contains(column))
+    const std::size_t source_count = header.sources_of(column).size();
+    if (source_count == 1) {
+      of_frames = column;
+    } else if (is_calendar || source_count > 1) {
       groups[fmt::format("#{}", column)].columns = {{column}};
+    } else if (calendar == table::Calendar::none) {
+      for (const Role& role : roles_of(header.names[column], Kind::time)) {
+        Group& group = groups[role.group];
+        group.columns.resize(1);
+        group.columns[0].push_back(column);
+      }
+    }
   }
+  if (groups.empty() && of_frames) groups["frames"].columns = {{*of_frames}};
   return groups;
 }
 
@@ -197,11 +194,15 @@ std::vector<ColumnSet> find_bare_rates(const table::Header& header) {
 std::string columns_remedy(const table::Header& header) {
   constexpr std::size_t most = 60, longest = 60;
   std::vector<std::string> names;
-  for (const std::string& name : header.names) {
-    if (names.size() == most) break;
-    names.push_back(name.substr(0, longest));
+  std::size_t more = 0;
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    if (!header.sources_of(column).empty()) continue;
+    if (names.size() == most) {
+      ++more;
+    } else {
+      names.push_back(header.names[column].substr(0, longest));
+    }
   }
-  const std::size_t more = header.names.size() - names.size();
   return fmt::format("its columns are: {}{}", fmt::join(names, ", "),
                      more > 0 ? fmt::format(" and {} more", more) : "");
 }

@@ -6,12 +6,14 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "base/enumeration.h"
 #include "base/letters.h"
 #include "recording/columns/column_sets.h"
 #include "recording/columns/columns.h"
+#include "recording/columns/derived_times.h"
 #include "recording/columns/stated_unit.h"
 #include "recording/conventions/names.h"
 #include "recording/conventions/units.h"
@@ -114,6 +116,14 @@ std::vector<std::optional<ColumnSet>> or_nothing(const std::vector<ColumnSet>& s
 std::vector<ColumnSet> times(const table::Header& header, const Convention& said) {
   if (const auto set = said_set(header, said, Kind::time)) return {*set};
   std::vector<ColumnSet> found = find_sets(header, Kind::time);
+  const auto frames = frame_column(header);
+  if (found.empty() && frames) {
+    throw table::BadTable(
+        header.file,
+        fmt::format("its rows are numbered by '{}', but nothing states their rate",
+                    header.names[*frames]),
+        "state it in a comment above the names, such as: # frame rate: 100 Hz");
+  }
   if (found.empty()) {
     throw ColumnError(header.file, "t", "no column is recognised as the time",
                       columns_remedy(header));
@@ -129,16 +139,25 @@ std::vector<ColumnSet> find_rates(const table::Header& header) {
 }
 
 /// The attitudes by the names of their columns. Names that have other usual meanings count only if
-/// no others are there, and so do Euler angles whose sequence is open.
+/// no others are there, and so do Euler angles whose sequence is open, unless other attitudes have
+/// the same columns.
 std::vector<ColumnSet> find_attitudes(const table::Header& header, const Convention& said) {
   std::vector<ColumnSet> found;
   for (const Kind kind : attitude_kinds())
     std::ranges::move(find_sets(header, kind), std::back_inserter(found));
   if (!std::ranges::all_of(found, &ColumnSet::is_weak)) std::erase_if(found, &ColumnSet::is_weak);
-  const auto has_open_sequence = [&](const ColumnSet& set) {
-    return set.kind == Kind::euler && header.sequence.empty() && said.sequence.empty();
+  const auto is_preferred = [&](const ColumnSet& other, const ColumnSet& euler) {
+    return other.kind != Kind::euler && std::set(other.columns.begin(), other.columns.end()) !=
+                                            std::set(euler.columns.begin(), euler.columns.end());
   };
-  if (!std::ranges::all_of(found, has_open_sequence)) std::erase_if(found, has_open_sequence);
+  const std::vector<ColumnSet> all = found;
+  std::erase_if(found, [&](const ColumnSet& set) {
+    const bool has_open_sequence =
+        set.kind == Kind::euler && header.sequence.empty() && said.sequence.empty();
+    return has_open_sequence && std::ranges::any_of(all, [&](const ColumnSet& other) {
+             return is_preferred(other, set);
+           });
+  });
   return found;
 }
 

@@ -59,6 +59,11 @@ void add_word(std::vector<std::string>& words, std::string word) {
     words.emplace_back("rate");
     return;
   }
+  if (word.size() > 1 && word.substr(1) == "rotation") {
+    words.emplace_back(1, word.front());
+    words.emplace_back("rotation");
+    return;
+  }
   const std::string stem = word.substr(0, word.size() - 1);
   const bool has_axis = std::string_view("wxyz").find(word.back()) != std::string_view::npos;
   if (has_axis && std::ranges::find(prefixes, stem) != prefixes.end()) {

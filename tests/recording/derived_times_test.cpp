@@ -1,4 +1,4 @@
-#include "recording/columns/summed_times.h"
+#include "recording/columns/derived_times.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ std::string error_in(const std::string& csv) {
 }
 
 // As a clock since 1970 in one column, the sum loses no digits.
-TEST(SummedTimes, AddsNanosecondsToSeconds) {
+TEST(DerivedTimes, AddsNanosecondsToSeconds) {
   const Read read = times_of(
       "header.stamp.sec,header.stamp.nanosec,wx,wy,wz\n1700000000,999999999,1,2,3\n"
       "1700000001,0,1,2,3\n1700000001,7,1,2,3\n");
@@ -55,7 +55,7 @@ TEST(SummedTimes, AddsNanosecondsToSeconds) {
   EXPECT_DOUBLE_EQ(read.resolution.absolute, 1e-9);
 }
 
-TEST(SummedTimes, AddsMicrosecondsAndTheTimeOfADay) {
+TEST(DerivedTimes, AddsMicrosecondsAndTheTimeOfADay) {
   EXPECT_THAT(times_of("sec,usec,wx,wy,wz\n5,750000,1,2,3\n6,250000,1,2,3\n").times,
               ElementsAre(0, 0.5));
   const Read read =
@@ -64,16 +64,17 @@ TEST(SummedTimes, AddsMicrosecondsAndTheTimeOfADay) {
   EXPECT_THAT(read.times, ElementsAre(0, 0.75));
 }
 
-TEST(SummedTimes, RefusesPartsOutOfRange) {
-  EXPECT_EQ(error_in("sec,nanosec,wx,wy,wz\n1,0,1,2,3\n2,1000000000,1,2,3\n3,0,1,2,3\n"),
-            "run.csv:3: the column 'nanosec': 1000000000 is no part of a time in two columns -- it "
-            "must be a whole number up to 999999999, or else name the column of the time");
+TEST(DerivedTimes, RefusesPartsOutOfRange) {
+  EXPECT_EQ(
+      error_in("sec,nanosec,wx,wy,wz\n1,0,1,2,3\n2,1000000000,1,2,3\n3,0,1,2,3\n"),
+      "run.csv:3: the column 'nanosec': 1000000000 is no part of a time in several columns -- it "
+      "must be a whole number from 0 to 999999999, or else name the column of the time");
   EXPECT_THAT(error_in("sec,nanosec,wx,wy,wz\n1.5,0,1,2,3\n2,0,1,2,3\n"), HasSubstr("'sec': 1.5"));
   EXPECT_THAT(error_in("sec,nanosec,wx,wy,wz\n1,-1,1,2,3\n2,0,1,2,3\n"),
               HasSubstr("'nanosec': -1"));
 }
 
-TEST(SummedTimes, LeavesTheOtherColumnsInPlace) {
+TEST(DerivedTimes, LeavesTheOtherColumnsInPlace) {
   const Recording recording(table::open_table("run.csv", "sec,nsec,wx,wy,wz\n1,5,7,8,9\n"));
   EXPECT_THAT(recording.header().names, ElementsAre("sec", "nsec", "wx", "wy", "wz", "sec + nsec"));
   const auto& rows = recording.first_rows({4, 5, 0}).rows;
@@ -102,6 +103,58 @@ TEST(CalendarTimes, AreInSeconds) {
   Convention said;
   said.time_unit = TimeUnit::ms;
   EXPECT_THROW(conventions(recording.header(), said), table::BadTable);
+}
+
+TEST(DerivedTimes, AddsSecondsToTheWeeksOfGps) {
+  const Read read = times_of(
+      "GPS Week,GPS Seconds,wx,wy,wz\n2445,604799.98,1,2,3\n2446,0.00,1,2,3\n2446,0.02,1,2,3\n");
+  EXPECT_EQ(read.column, "GPS Week + GPS Seconds");
+  EXPECT_THAT(read.times,
+              ElementsAre(0, testing::DoubleNear(0.02, 1e-12), testing::DoubleNear(0.04, 1e-12)));
+  EXPECT_THAT(times_of("iTOW,week,wx,wy,wz\n500,7,1,2,3\n520,7,1,2,3\n").times,
+              ElementsAre(0, testing::DoubleNear(0.02, 1e-12)));
+}
+
+TEST(DerivedTimes, AddsYearsToSeconds) {
+  const std::string names = "year,month,day,hour,minute,second,wx,wy,wz\n";
+  EXPECT_THAT(times_of(names + "2028,2,28,23,59,59.5,1,2,3\n2028,2,29,0,0,0.25,1,2,3\n").times,
+              ElementsAre(0, 0.75));
+  EXPECT_THAT(error_in(names + "2026,2,29,0,0,0,1,2,3\n2026,3,1,0,0,0,1,2,3\n"),
+              HasSubstr("the column 'day': 29 is no part of a time"));
+}
+
+TEST(DerivedTimes, DividesFramesByTheirStatedRate) {
+  const std::string rows = "wx,wy,wz\n7,1,2,3\n8,1,2,3\n10,1,2,3\n";
+  for (const char* before :
+       {"# Frame rate: 50\nframe,", "// Update Rate: 50.0Hz\nFrame#,", "# fps: 50\nsample,",
+        "DataRate=50.000000\nendheader\nFrame,", "Frame Time: 0.02\nFrame,",
+        "# data, 50 Hz cutoff frequency 10\n# sampling frequency [Hz]: 50\nPacketCounter,",
+        "Capture Frame Rate,100,Export Frame Rate,50.000000\nFrame,",
+        "Segments\n50\nFrame,Sub Frame,"}) {
+    const bool has_sub_frames = std::string(before).ends_with("Sub Frame,");
+    std::string text = before + rows;
+    for (std::size_t at = 0; has_sub_frames && (at = text.find(",1,2,3", at)) != std::string::npos;
+         at += 8)
+      text.insert(at, ",0");
+    EXPECT_THAT(times_of(text).times,
+                ElementsAre(0, testing::DoubleNear(0.02, 1e-15), testing::DoubleNear(0.06, 1e-15)))
+        << text;
+  }
+  EXPECT_EQ(times_of("# rate: 50\nframe,t,wx,wy,wz\n0,1,1,2,3\n1,1.5,1,2,3\n").column, "t");
+  for (const char* before :
+       {"", "# cutoff frequency: 50 Hz\n", "# frame rate: 50, sample rate: 60\n"})
+    EXPECT_THAT(error_in(before + ("frame," + rows)),
+                HasSubstr("its rows are numbered by 'frame', but nothing states their rate"));
+}
+
+TEST(DerivedTimes, ContinuesCountersThatBeginAnew) {
+  EXPECT_THAT(
+      times_of("# Update Rate: 50 Hz\nPacketCounter,wx,wy,wz\n65535,1,2,3\n0,1,2,3\n").times,
+      ElementsAre(0, testing::DoubleNear(0.02, 1e-12)));
+  EXPECT_THAT(times_of("SampleTimeFine,wx,wy,wz\n4294967200,1,2,3\n104,1,2,3\n304,1,2,3\n").times,
+              ElementsAre(0, testing::DoubleNear(0.02, 1e-12), testing::DoubleNear(0.04, 1e-12)));
+  EXPECT_THAT(error_in("SampleTimeFine,wx,wy,wz\n1000,1,2,3\n800,1,2,3\n"),
+              HasSubstr("is before that of the row before"));
 }
 
 }  // namespace
