@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <string>
 
+#include "base/letters.h"
 #include "table/number_text.h"
 
 namespace twrench::table {
@@ -49,6 +51,22 @@ class Parts {
     return number <= most ? std::optional(number) : std::nullopt;
   }
 
+  /// Takes a number of one or two digits.
+  std::optional<int> take_short_number(int most) {
+    return take_number(begins_with_number_of(1) ? 1 : 2, most);
+  }
+
+  /// Takes all letters that follow.
+  std::string_view take_letters() {
+    std::size_t end = 0;
+    while (end < text_.size() &&
+           ((text_[end] >= 'A' && text_[end] <= 'Z') || (text_[end] >= 'a' && text_[end] <= 'z')))
+      ++end;
+    const std::string_view letters = text_.substr(0, end);
+    text_.remove_prefix(end);
+    return letters;
+  }
+
   bool begins_with_number_of(std::size_t count) const {
     return std::min(text_.find_first_not_of("0123456789"), text_.size()) == count;
   }
@@ -57,11 +75,61 @@ class Parts {
   std::string_view text_;
 };
 
-/// Days since 1970.
-std::optional<long long> take_date(Parts& parts) {
+/// Days since 1970; nothing if there is no such date.
+std::optional<long long> days_of(int year, int month, int day) {
+  const std::chrono::year_month_day date =
+      std::chrono::year(year) / static_cast<unsigned>(month) / static_cast<unsigned>(day);
+  if (!date.ok()) return std::nullopt;
+  return std::chrono::sys_days(date).time_since_epoch().count();
+}
+
+/// The number of the month from the beginning of its English name; 0 if it is none.
+int month_named(std::string_view name) {
+  constexpr std::string_view months = "janfebmaraprmayjunjulaugsepoctnovdec";
+  const std::string small = to_lower(name.substr(0, 3));
+  const std::size_t at = small.size() == 3 ? months.find(small) : std::string_view::npos;
+  return at != std::string_view::npos && at % 3 == 0 ? static_cast<int>(at / 3) + 1 : 0;
+}
+
+/// A date that ends with its year: 28/11/2026, 28.11.2026, 28 Nov 2026.
+struct LateYear {
+  int first = 0, second = 0, year = 0;
+  DateOrder order = DateOrder::open;  ///< as it states it itself
+};
+
+std::optional<LateYear> take_late_year(Parts& parts) {
+  LateYear date;
+  const auto first = parts.take_short_number(31);
+  if (!first) return std::nullopt;
+  const bool has_points = parts.take(".");
+  if (!has_points && !parts.take("/- ")) return std::nullopt;
+  const int named = month_named(parts.take_letters());
+  const auto second = named > 0 ? std::optional(named) : parts.take_short_number(31);
+  if (!second || !parts.take(has_points ? "." : "/- ")) return std::nullopt;
   const auto year = parts.take_number(4, 9999);
-  if (!year || !parts.take("-/")) return std::nullopt;
-  if (parts.begins_with_number_of(3)) {
+  if (!year || *first == 0 || *second == 0) return std::nullopt;
+  date = {*first, *second, *year, DateOrder::open};
+  constexpr int months = 12;
+  if (named > 0 || has_points || *first > months) date.order = DateOrder::day_first;
+  if (*second > months) date.order = DateOrder::month_first;
+  return date;
+}
+
+/// Days since 1970.
+std::optional<long long> take_date(Parts& parts, DateOrder order) {
+  if (!parts.begins_with_number_of(4) && !parts.begins_with_number_of(8)) {
+    const auto date = take_late_year(parts);
+    if (!date) return std::nullopt;
+    if (order == DateOrder::open) order = date->order;
+    const bool contradicts = date->order != DateOrder::open && date->order != order;
+    if (order == DateOrder::open || contradicts) return std::nullopt;
+    return order == DateOrder::day_first ? days_of(date->year, date->second, date->first)
+                                         : days_of(date->year, date->first, date->second);
+  }
+  const bool is_compact = parts.begins_with_number_of(8);
+  const auto year = parts.take_number(4, 9999);
+  if (!year || !(is_compact || parts.take("-/"))) return std::nullopt;
+  if (!is_compact && parts.begins_with_number_of(3)) {
     const auto day = parts.take_number(3, 366);
     const std::chrono::year in_year(*year);
     if (!day || *day == 0 || (*day == 366 && !in_year.is_leap())) return std::nullopt;
@@ -69,13 +137,9 @@ std::optional<long long> take_date(Parts& parts) {
     return first.time_since_epoch().count() + *day - 1;
   }
   const auto month = parts.take_number(2, 12);
-  if (!month || !parts.take("-/")) return std::nullopt;
+  if (!month || !(is_compact || parts.take("-/"))) return std::nullopt;
   const auto day = parts.take_number(2, 31);
-  if (!day) return std::nullopt;
-  const std::chrono::year_month_day date =
-      std::chrono::year(*year) / *month / static_cast<unsigned>(*day);
-  if (!date.ok()) return std::nullopt;
-  return std::chrono::sys_days(date).time_since_epoch().count();
+  return day ? days_of(*year, *month, *day) : std::nullopt;
 }
 
 /// A time of a day.
@@ -99,23 +163,44 @@ bool take_fraction(Parts& parts, Clock& clock) {
   return true;
 }
 
+/// Takes AM or PM, and returns the hour of the day; nothing if the hour is not from 1 to 12.
+std::optional<int> take_half_of_day(Parts& parts, int hour) {
+  Parts after = parts;
+  after.take(" ");
+  const std::string half = to_lower(after.take_letters());
+  if (half != "am" && half != "pm") return hour;
+  parts = after;
+  if (hour < 1 || hour > 12) return std::nullopt;
+  return hour % 12 + (half == "pm" ? 12 : 0);
+}
+
 std::optional<Clock> take_clock(Parts& parts) {
-  const auto hour = parts.take_number(2, 23);
-  if (!hour || !parts.take(":")) return std::nullopt;
+  const bool is_compact = parts.begins_with_number_of(6) || parts.begins_with_number_of(4);
+  const auto hour = is_compact ? parts.take_number(2, 23) : parts.take_short_number(23);
+  if (!hour || !(is_compact || parts.take(":"))) return std::nullopt;
   const auto minute = parts.take_number(2, 59);
   if (!minute) return std::nullopt;
   std::optional<int> second = 0;
-  const bool has_second = parts.take(":");
+  const bool has_second = is_compact ? parts.begins_with_number_of(2) : parts.take(":");
   if (has_second) second = parts.take_number(2, 60);
   if (!second) return std::nullopt;
-  Clock clock{(60LL * (60 * *hour + *minute) + *second) * nanoseconds_in_second, 0};
+  Clock clock{*second * nanoseconds_in_second, 0};
   if (has_second && parts.take(".,") && !take_fraction(parts, clock)) return std::nullopt;
+  const auto hour_of_day = take_half_of_day(parts, *hour);
+  if (!hour_of_day) return std::nullopt;
+  clock.nanoseconds += 60LL * (60 * *hour_of_day + *minute) * nanoseconds_in_second;
   return clock;
 }
 
 /// The offset from UTC in s; 0 if there is none.
 std::optional<long long> take_offset(Parts& parts) {
   if (parts.is_at_end() || parts.take("Zz")) return 0;
+  Parts named = parts;
+  const std::string zone = to_lower(named.take_letters());
+  if (zone == "utc" || zone == "gmt") {
+    parts = named;
+    return 0;
+  }
   const bool is_west = parts.take("-");
   if (!is_west && !parts.take("+")) return std::nullopt;
   const auto hours = parts.take_number(2, 23);
@@ -139,15 +224,22 @@ Number seconds_from(long long nanoseconds, int decimals) {
   return number;
 }
 
-Calendar read_calendar(std::string_view text, Number& number) {
+DateOrder stated_order(std::string_view text) {
   Parts parts(text);
-  if (parts.begins_with_number_of(2)) {
+  if (parts.begins_with_number_of(4) || parts.begins_with_number_of(8)) return DateOrder::open;
+  const auto date = take_late_year(parts);
+  return date ? date->order : DateOrder::open;
+}
+
+Calendar read_calendar(std::string_view text, Number& number, DateOrder order) {
+  Parts parts(text);
+  if (text.size() > 2 && text.substr(0, 3).find(':') != std::string_view::npos) {
     const auto clock = take_clock(parts);
     if (!clock || !parts.is_at_end()) return Calendar::none;
     number = seconds_from(clock->nanoseconds, clock->decimals);
     return Calendar::time_of_day;
   }
-  const auto days = take_date(parts);
+  const auto days = take_date(parts, order);
   if (!days) return Calendar::none;
   constexpr long long seconds_in_day = 86400;
   constexpr long long most_days = 100'000;  // the nanoseconds since 1970 fit into 64 bits

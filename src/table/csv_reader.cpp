@@ -7,13 +7,19 @@
 #include <utility>
 
 #include "system/error.h"
-#include "table/calendar.h"
 #include "table/csv_header.h"
 #include "table/error.h"
 #include "table/number_text.h"
 #include "table/preamble.h"
 
 namespace twrench::table {
+namespace {
+
+DateOrder order_or_day_first(DateOrder order) {
+  return order == DateOrder::open ? DateOrder::day_first : order;
+}
+
+}  // namespace
 
 CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
   header_.file = input_.name();
@@ -40,15 +46,23 @@ void CsvReader::read_header(const Sample& sample) {
     throw BadTable(header_.file, "it has a header, but no rows");
   }
   first_line_ = sample.lines[header.first_row].number;
-  find_calendar_times(sample.lines[header.first_row].text);
+  find_calendar_times(std::span(sample.lines).subspan(header.first_row));
 }
 
-void CsvReader::find_calendar_times(std::string_view first_row) {
-  split_cells(first_row, dialect_.separator, cells_);
+/// The first row has the kinds of the columns, and any row the order of the day and the month. If
+/// none has it, the differences of times are right in either order as long as the date stays.
+void CsvReader::find_calendar_times(std::span<const Sample::Line> rows) {
   std::vector<Calendar> calendar(header_.names.size());
-  for (std::size_t i = 0; i < std::min(cells_.size(), calendar.size()); ++i) {
-    Number number;
-    if (!is_numeric(cells_[i])) calendar[i] = read_calendar(cells_[i], number);
+  orders_.assign(header_.names.size(), DateOrder::open);
+  for (const Sample::Line& row : rows) {
+    split_cells(row.text, dialect_.separator, cells_);
+    for (std::size_t i = 0; i < std::min(cells_.size(), calendar.size()); ++i) {
+      if (is_numeric(cells_[i])) continue;
+      if (orders_[i] == DateOrder::open) orders_[i] = stated_order(cells_[i]);
+      Number number;
+      if (&row == &rows.front())
+        calendar[i] = read_calendar(cells_[i], number, order_or_day_first(orders_[i]));
+    }
   }
   const bool has_any =
       std::ranges::any_of(calendar, [](Calendar kind) { return kind != Calendar::none; });
@@ -60,7 +74,7 @@ void CsvReader::begin_pass(std::span<const std::size_t> columns) {
   selected_.clear();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool has_calendar_times = header_.calendar_of(columns[i]) != Calendar::none;
-    selected_.push_back({columns[i], i, has_calendar_times});
+    selected_.push_back({columns[i], i, has_calendar_times, orders_[columns[i]], {}});
   }
   std::ranges::sort(selected_, {}, &Selected::column);
 }
@@ -84,7 +98,7 @@ bool CsvReader::next(std::span<Number> numbers) {
   }
   constexpr std::size_t at_end = std::string_view::npos;
   std::size_t column = 0, begin = 0, end = line.find(separator);
-  for (const Selected& selected : selected_) {
+  for (Selected& selected : selected_) {
     for (; column < selected.column && end != at_end; ++column) {
       begin = end + 1;
       end = line.find(separator, begin);
@@ -104,13 +118,13 @@ void CsvReader::read_blanks_or_quotes(std::string_view line, std::span<Number> n
                             "each row must be on one line");
   }
   require_columns(cells_.size(), cells_.back());
-  for (const Selected& selected : selected_) {
+  for (Selected& selected : selected_) {
     const bool is_there = selected.column < cells_.size();
     read_cell(is_there ? cells_[selected.column] : "", selected, numbers);
   }
 }
 
-void CsvReader::read_cell(std::string_view cell, const Selected& selected,
+void CsvReader::read_cell(std::string_view cell, Selected& selected,
                           std::span<Number> numbers) const {
   if (selected.has_calendar_times) {
     read_calendar_time(trimmed(cell), selected, numbers);
@@ -127,9 +141,21 @@ void CsvReader::read_cell(std::string_view cell, const Selected& selected,
   if (reading == Reading::too_large) throw too_large(place(), name, cell);
 }
 
-void CsvReader::read_calendar_time(std::string_view cell, const Selected& selected,
+void CsvReader::read_calendar_time(std::string_view cell, Selected& selected,
                                    std::span<Number> numbers) const {
-  const Calendar kind = read_calendar(cell, numbers[selected.place]);
+  Number& number = numbers[selected.place];
+  Calendar kind = read_calendar(cell, number, selected.order);
+  if (kind == Calendar::none && selected.order == DateOrder::open) {
+    kind = read_calendar(cell, number, DateOrder::day_first);
+    const std::string_view date = cell.substr(0, cell.find_first_of(" T"));
+    if (selected.date.empty()) selected.date = date;
+    if (selected.date != date) {
+      throw BadTable(cell_place(place(), header_.names[selected.column]),
+                     fmt::format("the dates {} and {} may begin with the day or with the month",
+                                 selected.date, date),
+                     "write dates as 2026-03-04");
+    }
+  }
   if (kind == header_.calendar_of(selected.column)) return;
   throw no_calendar_time(place(), header_.names[selected.column], cell);
 }

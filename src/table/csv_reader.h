@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "table/calendar.h"
 #include "table/dialect.h"
 #include "table/input.h"
 #include "table/line_reader.h"
@@ -27,14 +28,16 @@ class CsvReader : public Reader {
   struct Selected {
     std::size_t column, place;  ///< index in the file, and among the numbers of next()
     bool has_calendar_times;
+    DateOrder order;
+    std::string date;  ///< of the first row, if the order of its day and month is open
   };
 
   void read_header(const Sample& sample);
-  void find_calendar_times(std::string_view first_row);
+  void find_calendar_times(std::span<const Sample::Line> rows);
   bool next_line(std::string_view& line);
   void read_blanks_or_quotes(std::string_view line, std::span<Number> numbers);
-  void read_cell(std::string_view cell, const Selected& selected, std::span<Number> numbers) const;
-  void read_calendar_time(std::string_view cell, const Selected& selected,
+  void read_cell(std::string_view cell, Selected& selected, std::span<Number> numbers) const;
+  void read_calendar_time(std::string_view cell, Selected& selected,
                           std::span<Number> numbers) const;
   void require_columns(std::size_t count, std::string_view last) const;
 
@@ -43,6 +46,7 @@ class CsvReader : public Reader {
   bool semicolon_marks_comment_ = true;
   LineReader lines_;
   std::size_t first_line_ = 1;      ///< the first that may be a row
+  std::vector<DateOrder> orders_;   ///< of the dates in each column
   std::vector<Selected> selected_;  ///< in the order of the file's columns
   std::vector<std::string_view> cells_;
 };

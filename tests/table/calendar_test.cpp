@@ -1,5 +1,6 @@
 #include "table/calendar.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -30,6 +31,38 @@ TEST(Calendar, ReadsDatesAndTimesOfIso8601) {
   EXPECT_EQ(number_of("1969-12-31T23:59:59.25", Calendar::date_time).value, -0.75);
   EXPECT_EQ(number_of("2024-366T00:00:00", Calendar::date_time).value,
             number_of("2024-12-31T00:00:00", Calendar::date_time).value);
+}
+
+TEST(Calendar, ReadsOtherFormsWhoseOrderIsStated) {
+  const double t = number_of("2026-11-28T14:05:06.5", Calendar::date_time).value;
+  for (const char* text :
+       {"28/11/2026 14:05:06.5", "11/28/2026 14:05:06.5", "28.11.2026 14:05:06,5",
+        "28 Nov 2026 14:05:06.500", "28-NOV-2026 2:05:06.5 PM", "11/28/2026 2:05:06.5pm",
+        "20261128T140506.5Z", "2026-332T14:05:06.5", "28/11/2026 14:05:06.5 UTC"}) {
+    EXPECT_EQ(number_of(text, Calendar::date_time).value, t) << text;
+  }
+  EXPECT_EQ(number_of("3.4.2026 9:05", Calendar::date_time).value,
+            number_of("2026-04-03T09:05", Calendar::date_time).value);
+  EXPECT_EQ(number_of("12:30:00 AM", Calendar::time_of_day).value, 1800);
+  EXPECT_EQ(number_of("12:30:00 PM", Calendar::time_of_day).value, 45000);
+  EXPECT_EQ(number_of("28/11/2026", Calendar::date).value,
+            number_of("2026-11-28", Calendar::date).value);
+}
+
+// The differences of times are right in either order as long as the date stays.
+TEST(Calendar, AsksForTheOrderOfDayAndMonthOnlyIfItMatters) {
+  const std::string first = "time,wx\n03/04/2026 23:59:59.5,1\n";
+  const Table one_day = read_table(first + "03/04/2026 23:59:59.75,2\n");
+  EXPECT_EQ(one_day.rows[1][0] - one_day.rows[0][0], 0.25);
+  EXPECT_EQ(table_error_of(first + "04/04/2026 00:00:00.5,2\n"),
+            "run:3: the column 'time': the dates 03/04/2026 and 04/04/2026 may begin with the day "
+            "or with the month -- write dates as 2026-03-04");
+  EXPECT_EQ(read_table("time,wx\n12/11/2026 23:59:59.5,1\n13/11/2026 00:00:00.5,2\n").rows,
+            read_table("time,wx\n2026-11-12 23:59:59.5,1\n2026-11-13 00:00:00.5,2\n").rows);
+  EXPECT_EQ(read_table("time,wx\n11/12/2026 23:59:59.5,1\n11/13/2026 00:00:00.5,2\n").rows,
+            read_table("time,wx\n2026-11-12 23:59:59.5,1\n2026-11-13 00:00:00.5,2\n").rows);
+  EXPECT_THAT(table_error_of("time,wx\n28/11/2026 10:00:00,1\n11/28/2026 10:00:01,2\n"),
+              testing::HasSubstr("run:3: "));
 }
 
 TEST(Calendar, KeepsAllDigits) {
@@ -65,6 +98,10 @@ TEST(Calendar, ReadsNothingElse) {
                            "2026-03-04T10:11:05+1",
                            "2026-03-04T10:11:05 CET",
                            "2026-03-04x",
+                           "29/02/2026",
+                           "13/13/2026",
+                           "28 Foo 2026",
+                           "13:00:00 PM",
                            "10:11:05x",
                            "10",
                            "-2026-03-04"}) {
