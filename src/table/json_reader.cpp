@@ -4,17 +4,19 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "system/error.h"
 #include "table/calendar.h"
 #include "table/error.h"
+#include "table/json_columns.h"
 
 namespace twrench::table {
 
 JsonReader::JsonReader(Input input) : input_(std::move(input)), cursor_(input_) {
   header_.file = input_.name();
-  find_rows();
+  open_rows();
   if (!next_row()) throw BadTable(header_.file, "it has no rows");
   header_.names = row_.names;
   find_calendar_times();
@@ -30,6 +32,28 @@ void JsonReader::find_calendar_times() {
   const bool has_any =
       std::ranges::any_of(calendar, [](Calendar kind) { return kind != Calendar::none; });
   if (has_any) header_.calendar = std::move(calendar);
+}
+
+/// Moves to the first row. A file without an array of rows may be a single object, which is
+/// converted.
+void JsonReader::open_rows() {
+  std::optional<system::FileError> error;
+  try {
+    find_rows();
+  } catch (const system::FileError& too_long) {
+    error = too_long;
+  }
+  if (!error && layout_ != Layout::lines) return;
+  auto rows = rows_of_object(input_);
+  if (!rows && error) throw system::FileError(*error);
+  if (!rows) return;
+  input_ = std::move(*rows);
+  is_converted_ = true;
+  find_rows();
+}
+
+std::string JsonReader::place() const {
+  return is_converted_ ? fmt::format("{}: row {}", header_.file, cursor_.line()) : cursor_.place();
 }
 
 /// Moves to the first row.
@@ -69,7 +93,8 @@ bool JsonReader::next_row() {
     cursor_.expect(',');
   }
   at_first_ = false;
-  read_json_row(cursor_.take_value(), cursor_.place(), row_);
+  const std::string_view text = cursor_.take_value();
+  read_json_row(text, place(), row_);
   return true;
 }
 

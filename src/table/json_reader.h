@@ -14,18 +14,20 @@
 namespace twrench::table {
 
 /// Reads rows that are JSON objects or arrays: in an array, in the array "samples" of an object, or
-/// one after another (JSON Lines).
+/// one after another (JSON Lines). Objects that have their rows in another member, or columns as
+/// arrays, are converted first.
 class JsonReader : public Reader {
  public:
   explicit JsonReader(Input input);
 
   void begin_pass(std::span<const std::size_t> columns) override;
   bool next(std::span<Number> numbers) override;
-  std::string place() const override { return cursor_.place(); }
+  std::string place() const override;
 
  private:
   enum class Layout { lines, array, samples };
 
+  void open_rows();
   void find_rows();
   bool find_samples();
   void find_calendar_times();
@@ -34,6 +36,7 @@ class JsonReader : public Reader {
   const JsonCell& cell_of(std::size_t column) const;
 
   Input input_;
+  bool is_converted_ = false;  ///< the lines are then rows, not those of the file
   JsonCursor cursor_;
   Layout layout_ = Layout::array;
   bool at_first_ = true;  ///< no row was taken yet

@@ -1,5 +1,6 @@
 #include "table/json_reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -106,6 +107,38 @@ TEST(JsonReader, TellsTheDigitsAsTheyAreWritten) {
   EXPECT_EQ(numbers[1].decimals, 0);
   EXPECT_EQ(numbers[2].decimals, 4);
   EXPECT_EQ(numbers[2].significant, 2);
+}
+
+TEST(JsonObject, HasItsRowsInAnyMember) {
+  const Table rows = read_table(R"([{"t": 0, "w": {"x": 1}}, {"t": 0.5, "w": {"x": 2}}])");
+  for (const char* object :
+       {R"({"info": {"rate": 2}, "data": [{"t": 0, "w": {"x": 1}}, {"t": 0.5, "w": {"x": 2}}]})",
+        R"({"t": [0, 0.5], "w": {"x": [1, 2]}, "axes": [1, 2, 3]})",
+        R"({"columns": ["t", "w.x"], "index": [0, 1], "data": [[0, 1], [0.5, 2]]})",
+        R"({"t": {"0": 0, "1": 0.5}, "w.x": {"0": 1, "1": 2}})"}) {
+    EXPECT_EQ(read_table(object).names, rows.names) << object;
+    EXPECT_EQ(read_table(object).rows, rows.rows) << object;
+  }
+  EXPECT_EQ(read_table(R"({"meta": {"n": 2}, "log": {"t": [0, 1], "w": {"x": [1, 2]}}})").names,
+            (std::vector<std::string>{"log.t", "log.w.x"}));
+  EXPECT_EQ(read_table(R"({"t": [0, 1], "q": [[1, 2], [3, 4]]})").names,
+            (std::vector<std::string>{"t", "q[0]", "q[1]"}));
+}
+
+TEST(JsonObject, NamesTheRowOfAMistake) {
+  EXPECT_THAT(table_error_of(R"({"t": [0, 1], "w": [3, "x"]})"),
+              testing::HasSubstr("run: row 2: the column 'w': 'x' is no number"));
+}
+
+TEST(JsonObject, MayBeLargeAndIsNotDeep) {
+  std::string text = "{\"t\": [0";
+  for (int i = 1; i < 200'000; ++i) text += fmt::format(",{}", i);
+  text += "], \"w\": [";
+  for (int i = 0; i < 200'000; ++i) text += i == 0 ? "7" : ",7";
+  EXPECT_EQ(read_table(text + "]}").rows.size(), 200'000U);
+  EXPECT_THAT(file_error_of(text + "]"), testing::HasSubstr("longer than"));
+  const std::string deep(100'000, '[');
+  EXPECT_NE(file_error_of("{\"data\": " + deep + std::string(100'000, ']') + "}"), "no error");
 }
 
 }  // namespace
