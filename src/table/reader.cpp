@@ -19,6 +19,7 @@
 #include "table/line_reader.h"
 #include "table/npy_reader.h"
 #include "table/npz_reader.h"
+#include "table/stk_attitude.h"
 #include "table/utf16.h"
 
 namespace twrench::table {
@@ -82,6 +83,7 @@ std::unique_ptr<Reader> open_format(Input input) {
                             "CSV, TSV, JSON, AEM and NumPy's .npy and .npz are read");
   }
   if (AemReader::recognizes(start)) return std::make_unique<AemReader>(std::move(input), false);
+  if (is_of_stk(start)) return std::make_unique<CsvReader>(table_of_stk(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
   return std::make_unique<CsvReader>(std::move(input));
 }

@@ -139,6 +139,29 @@ TEST(Recording, ReadsYawPitchAndRollInTheirUsualSequence) {
   }
 }
 
+// Attitudes fit with and without the rates beside them; a position beside them is no rate.
+TEST(Recording, NamesTheReadingOfColumnsWithoutNamesThatFits) {
+  const auto remedy = [](bool has_rates) {
+    std::string text;
+    for (const recording::Row& row : exact_rows()) {
+      const Eigen::Quaterniond q(row.X);
+      const Eigen::Vector3d other = has_rates ? row.omega : Eigen::Vector3d(row.t, 2, 3);
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", row.t, other[0], other[1], other[2], q.x(),
+                          q.y(), q.z(), q.w());
+    }
+    try {
+      choose_convention(Recording(table::open_table("run.csv", std::string_view(text))), {},
+                        tumbling_problem());
+    } catch (const InvalidArgument& error) {
+      return error.remedy();
+    }
+    return std::string("it chose");
+  };
+  EXPECT_THAT(remedy(true),
+              testing::HasSubstr("add --columns 't=#1,wx=#2,wy=#3,wz=#4,qw=#8,qx=#5,qy=#6,qz=#7'"));
+  EXPECT_THAT(remedy(false), testing::HasSubstr("add --columns 't=#1,qw=#8,qx=#5,qy=#6,qz=#7'"));
+}
+
 // Two units are possible, and only one of them fits.
 TEST(Recording, NamesTheOptionOfTheUnitOfTimesThatFits) {
   std::string text = "timestamp,wx,wy,wz\n";

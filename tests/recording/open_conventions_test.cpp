@@ -344,9 +344,10 @@ TEST(Conventions, KnowTheColumnsOfAFileWithoutNamesByTheirNumber) {
               ElementsAre("t=#1,wx=#6,wy=#7,wz=#8,qw=#2,qx=#3,qy=#4,qz=#5",
                           "t=#1,wx=#6,wy=#7,wz=#8,qw=#5,qx=#2,qy=#3,qz=#4",
                           "t=#1,wx=#2,wy=#3,wz=#4,qw=#5,qx=#6,qy=#7,qz=#8",
-                          "t=#1,wx=#2,wy=#3,wz=#4,qw=#8,qx=#5,qy=#6,qz=#7"));
+                          "t=#1,wx=#2,wy=#3,wz=#4,qw=#8,qx=#5,qy=#6,qz=#7",
+                          "t=#1,qw=#5,qx=#6,qy=#7,qz=#8", "t=#1,qw=#8,qx=#5,qy=#6,qz=#7"));
   EXPECT_THAT(readings_of(unnamed(10)), SizeIs(2));
-  EXPECT_THAT(readings_of(unnamed(13)), SizeIs(4));
+  EXPECT_THAT(readings_of(unnamed(13)), SizeIs(6));
   EXPECT_THAT(readings_of(unnamed(8), "wx=#2,wy=#3,wz=#4,t=#1"), SizeIs(1));
   EXPECT_THAT(refusal(unnamed(6)), HasSubstr("no columns have names of rates"));
 }

@@ -139,5 +139,29 @@ TEST(Reader, ReadsColumnsInMemory) {
                system::FileError);
 }
 
+// The keywords are comments then, so that the lines keep their numbers.
+TEST(StkAttitude, IsATable) {
+  const std::string head =
+      "stk.v.11.0\nBEGIN Attitude\nNumberOfAttitudePoints 2\nScenarioEpoch 1 Jun 2002 12:00:00\n"
+      "CoordinateAxes J2000\n";
+  const std::string rows = "\n0.0e+000 0 0 0 1\n1.0e+001 0 0 0.5 0.8660254\n";
+  const std::string end = "\nEND Attitude\n";
+  const Table table = read_table(head + "AttitudeTimeQuaternions\n" + rows + end);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "qx", "qy", "qz", "qw"}));
+  EXPECT_EQ(table.rows,
+            (std::vector<std::vector<double>>{{0, 0, 0, 0, 1}, {10, 0, 0, 0.5, 0.8660254}}));
+  EXPECT_EQ(read_table(head + "AttitudeTimeQuatScalarFirst" + rows + end).names[1], "qw");
+  EXPECT_EQ(
+      read_table(head + "AttitudeTimeQuatAngVels\n0 0 0 0 1 0 0 6\n1 0 0 0 1 0 0 6" + end).names[5],
+      "wx_deg_s");
+  EXPECT_THAT(
+      file_error_of(head + "AttitudeTimeYPRAngles\n" + rows + end),
+      testing::HasSubstr("run:6: its attitudes are AttitudeTimeYPRAngles, which are not read"));
+  EXPECT_THAT(file_error_of(head + "AttitudeTimeQuaternions\n" + rows),
+              testing::HasSubstr("it is cut off: END Attitude is missing"));
+  EXPECT_THAT(table_error_of(head + "AttitudeTimeQuaternions\n" + rows + "2 0 0 x 1\n" + end),
+              testing::HasSubstr("run:10: the column 'qz': 'x' is no number"));
+}
+
 }  // namespace
 }  // namespace twrench::table

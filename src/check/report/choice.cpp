@@ -168,6 +168,18 @@ std::optional<Reading> unexpected(const recording::Recording& recording, const P
   return best;
 }
 
+/// The only reading that fits: with rates, or else without them, because the attitude of a reading
+/// with rates fits alone as well.
+std::optional<Reading> fitting_one(const recording::Recording& recording,
+                                   const Eigen::Matrix3d& inertia, std::vector<Convention> open) {
+  const auto rest =
+      std::ranges::stable_partition(open, [](const Convention& one) { return has_rates(one); });
+  const std::vector<Convention> without(rest.begin(), rest.end());
+  open.erase(rest.begin(), rest.end());
+  const auto fitting = only_fitting(readings(recording, inertia, open));
+  return fitting ? fitting : only_fitting(readings(recording, inertia, without));
+}
+
 }  // namespace
 
 Convention choose_convention(const recording::Recording& recording, const Convention& given,
@@ -180,7 +192,7 @@ Convention choose_convention(const recording::Recording& recording, const Conven
   }
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting;
-  if (problem) fitting = only_fitting(readings(recording, problem->inertia, open));
+  if (problem) fitting = fitting_one(recording, problem->inertia, open);
   const bool is_usual = fitting && (is_usual_order(header, open, fitting->convention) ||
                                     is_usual_sequence(open, fitting->convention) ||
                                     is_usual_vector(open, fitting->convention));

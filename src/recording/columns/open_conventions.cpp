@@ -176,7 +176,8 @@ std::vector<ColumnSet> sets_from(std::size_t first, Kind kind) {
 }
 
 /// The possible columns of a file without names, judging by their number: a time followed by rates,
-/// an attitude or both in either order. Empty for other numbers of columns.
+/// an attitude or both in either order, or by a position and an attitude. Empty for other numbers
+/// of columns.
 std::vector<ColumnChoice> choices_by_number(const table::Header& header) {
   const std::size_t count = header.names.size();
   const ColumnSet time = sets_from(0, Kind::time).front();
@@ -192,6 +193,8 @@ std::vector<ColumnChoice> choices_by_number(const table::Header& header) {
     for (const ColumnSet& set : sets_from(1, kind))
       all.push_back({time, rates_from(1 + numbers), set});
     for (const ColumnSet& set : sets_from(4, kind)) all.push_back({time, rates_from(1), set});
+    // Three columns before the attitude may also be a position, which is not read.
+    for (const ColumnSet& set : sets_from(4, kind)) all.push_back({time, {}, set});
   }
   return all;
 }
