@@ -9,6 +9,7 @@
 
 #include "base/letters.h"
 #include "recording/columns/columns.h"
+#include "recording/columns/derived_times.h"
 #include "recording/columns/stated_unit.h"
 #include "recording/conventions/units.h"
 #include "table/error.h"
@@ -99,6 +100,15 @@ std::vector<Times> chosen(const table::Header& header, std::vector<Times> all) {
   return all;
 }
 
+/// Throws if a column without a name numbers the rows.
+void require_no_index(const table::Header& header, const Times& times) {
+  if (!header.names[times.column].empty() || times.since.size() < 2) return;
+  for (std::size_t i = 0; i < times.since.size(); ++i) {
+    if (times.since[i] != static_cast<double>(i)) return;
+  }
+  throw unknown_rate(header, "its first column");
+}
+
 double median_interval(const Times& times) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < times.since.size(); ++i) {
@@ -169,6 +179,7 @@ std::vector<Convention> with_times(const Recording& recording, std::vector<Conve
   std::vector<Times> all;
   for (const std::size_t column : columns) all.push_back(times_of(recording, column));
   if (all.size() > 1) all = chosen(header, std::move(all));
+  if (all.size() == 1) require_no_index(header, all.front());
   std::vector<Convention> result;
   for (const Convention& convention : open) {
     const auto times = std::ranges::find(all, column_of(convention), &Times::column);

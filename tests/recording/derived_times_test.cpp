@@ -147,6 +147,16 @@ TEST(DerivedTimes, DividesFramesByTheirStatedRate) {
                 HasSubstr("its rows are numbered by 'frame', but nothing states their rate"));
 }
 
+// As Pandas writes an index.
+TEST(DerivedTimes, TakesAFirstColumnWithoutNameForTheTimeIfItIsNoNumberOfTheRow) {
+  EXPECT_THAT(times_of(",wx,wy,wz\n0.0,1,2,3\n0.02,1,2,3\n").times,
+              ElementsAre(0, testing::DoubleNear(0.02, 1e-15)));
+  EXPECT_EQ(times_of(",t,wx,wy,wz\n0,0.0,1,2,3\n1,0.02,1,2,3\n").column, "t");
+  EXPECT_THAT(
+      error_in(",wx,wy,wz\n0,1,2,3\n1,1,2,3\n2,1,2,3\n"),
+      HasSubstr("its rows are numbered by its first column, but nothing states their rate"));
+}
+
 TEST(DerivedTimes, ContinuesCountersThatBeginAnew) {
   EXPECT_THAT(
       times_of("# Update Rate: 50 Hz\nPacketCounter,wx,wy,wz\n65535,1,2,3\n0,1,2,3\n").times,

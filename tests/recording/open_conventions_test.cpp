@@ -526,6 +526,37 @@ TEST(Rates, OfBetaflightAreInDegrees) {
   EXPECT_EQ(unit_in({"time", "gyroADC[0]", "gyroADC[1]", "gyroADC[2]"}), RateUnit::deg_s);
 }
 
+TEST(Quaternions, MayHaveMarksAndFrames) {
+  for (const char* names : {"motionQuaternion?(R)", "q_B_I_?", "ori_?", "rot_?"}) {
+    const auto name = [&](char component) {
+      std::string text = names;
+      text[text.find('?')] = component;
+      return text;
+    };
+    EXPECT_THAT(readings_of({"t", name('W'), name('X'), name('Y'), name('Z')}), SizeIs(1)) << names;
+  }
+  EXPECT_THAT(readings_of({"t", "q_r", "q_i", "q_j", "q_k"}),
+              ElementsAre("t=t,qw=q_r,qx=q_i,qy=q_j,qz=q_k"));
+}
+
+TEST(Rates, MayBeKnownByTheirUnit) {
+  EXPECT_EQ(unit_in({"t", "gx (dps)", "gy (dps)", "gz (dps)"}), RateUnit::deg_s);
+  EXPECT_EQ(unit_in({"A_5E_Timestamp_CAL", "A_5E_Spin_X_CAL", "A_5E_Spin_Y_CAL", "A_5E_Spin_Z_CAL"},
+                    {"ms", "deg/s", "deg/s", "deg/s"}),
+            RateUnit::deg_s);
+  EXPECT_THAT(readings_of({"t", "imu_gx", "imu_gy", "imu_gz"}), SizeIs(1));
+  EXPECT_THAT(refusal({"t", "gx (m/s2)", "gy (m/s2)", "gz (m/s2)"}), HasSubstr("no columns"));
+  EXPECT_THAT(readings_of({"time", "body.w_a[1]", "body.w_a[2]", "body.w_a[3]"}), SizeIs(1));
+}
+
+TEST(Units, ThatContradictEachOtherAreRefused) {
+  EXPECT_THAT(refusal({"t", "wx_dps (rad/s)", "wy_dps (rad/s)", "wz_dps (rad/s)"}),
+              HasSubstr("the column 'wx_dps (rad/s)' is in deg and rad"));
+  EXPECT_THAT(
+      refusal(header_of({"t", "wx_deg", "wy_deg", "wz_deg"}, {"s", "rad/s", "rad/s", "rad/s"}), {}),
+      HasSubstr("is in deg by its name and in rad/s by its unit"));
+}
+
 TEST(Quaternions, ArePreferredToEulerAnglesOfOpenSequence) {
   EXPECT_THAT(readings_of({"t", "roll", "pitch", "yaw", "qz", "qy", "qx", "qw"}),
               ElementsAre("t=t,qw=qw,qx=qx,qy=qy,qz=qz"));

@@ -35,8 +35,8 @@ std::optional<std::pair<std::size_t, std::size_t>> indices_of(const Words& words
 
 bool are_of_matrix(const Words& words) {
   return !words.empty() &&
-         has_only(words, {"x", "r", "rot", "rotation", "dcm", "m", "c", "a", "matrix", "rotmat",
-                          "attitude", "att", "orientation", "body"});
+         has_only(words, {"x", "r", "t", "rot", "rotation", "dcm", "m", "c", "a", "matrix",
+                          "rotmat", "attitude", "att", "orientation", "body"});
 }
 
 /// Adds the roles of a component of a vector, whose word is the last one. `is_named` is whether the
@@ -88,20 +88,27 @@ void add_euler(const Words& all_words, std::vector<Role>& roles) {
   }
 }
 
-void add_quaternion(const Words& words, std::vector<Role>& roles) {
+void add_quaternion(const Words& all_words, std::vector<Role>& roles) {
+  // SensorLog marks columns that count from a reference: motionQuaternionW(R).
+  const std::size_t count = all_words.size();
+  const bool has_mark =
+      count > 2 && all_words.back() == "r" && is_in({"w", "x", "y", "z"}, all_words[count - 2]);
+  const Words words = has_mark ? without(all_words, count - 1) : all_words;
   static const std::vector<Alphabet> parts{
-      {"wxyz", {{"w", "s", "scalar", "real"}, {"x", "i"}, {"y", "j"}, {"z", "k"}}},
+      {"wxyz", {{"w", "s", "scalar", "real", "r"}, {"x", "i"}, {"y", "j"}, {"z", "k"}}},
       {"0123", {{"0"}, {"1"}, {"2"}, {"3"}}},
       {"1234", {{"1"}, {"2"}, {"3"}, {"4"}}}};
   if (words.size() < 2) return;
   const Words rest = without(words, words.size() - 1);
   const List orders{"wxyz", "xyzw"};
-  const List names{"q", "quat", "quaternion", "orientation", "orient", "attitude", "att"};
+  const List names{"q", "quat", "quaternion", "orientation", "orient", "ori", "attitude", "att"};
   const bool is_weak = !has_any(rest, names);
   const bool is_known =
-      (!is_weak || has_any(rest, {"rotation"})) && std::ranges::all_of(rest, [&](const auto& word) {
+      (!is_weak || has_any(rest, {"rotation", "rot"})) &&
+      std::ranges::all_of(rest, [&](const auto& word) {
         return is_in(names, word) || is_in(orders, word) ||
-               is_in({"body", "rotation", "rot"}, word) || is_owner(word) || is_frame_pair(word);
+               is_in({"body", "rotation", "rot", "b", "i", "n", "e", "a"}, word) ||
+               is_owner(word) || is_frame_pair(word);
       });
   if (!is_known) return;
   for (const Alphabet& alphabet : parts) {

@@ -63,6 +63,16 @@ Group find_ours(const table::Header& header, Kind kind) {
   return group;
 }
 
+/// The name, and a unit of rates or times in the row below it as if it were a part of it.
+std::string name_with_unit(const table::Header& header, std::size_t column) {
+  const std::string& name = header.names[column];
+  if (column >= header.units.size()) return name;
+  const StatedUnit unit = stated_unit(words_of(header.units[column]));
+  const bool is_needed = (unit.is_per_second || unit.time) && unit.other_words.empty() &&
+                         stated_unit(words_of(name)).unread.empty();
+  return is_needed ? fmt::format("{} ({})", name, header.units[column]) : name;
+}
+
 /// Calendar times and times that follow from other columns are times whatever their names are.
 std::map<std::string, Group> find_times(const table::Header& header) {
   std::map<std::string, Group> groups;
@@ -84,7 +94,7 @@ std::map<std::string, Group> find_times(const table::Header& header) {
     } else if (is_calendar || source_count > 1) {
       groups[fmt::format("#{}", column)].columns = {{column}};
     } else if (calendar == table::Calendar::none) {
-      for (const Role& role : roles_of(header.names[column], Kind::time)) {
+      for (const Role& role : roles_of(name_with_unit(header, column), Kind::time)) {
         Group& group = groups[role.group];
         group.columns.resize(1);
         group.columns[0].push_back(column);
@@ -92,6 +102,9 @@ std::map<std::string, Group> find_times(const table::Header& header) {
     }
   }
   if (groups.empty() && of_frames) groups["frames"].columns = {{*of_frames}};
+  // Pandas writes its index, which often is the time, in a first column without a name.
+  const bool has_index = header.names.size() > 1 && header.names.front().empty();
+  if (groups.empty() && has_index) groups["index"].columns = {{0}};
   return groups;
 }
 
@@ -99,7 +112,7 @@ std::map<std::string, Group> find_groups(const table::Header& header, Kind kind)
   if (kind == Kind::time) return find_times(header);
   std::map<std::string, Group> groups;
   for (std::size_t column = 0; column < header.names.size(); ++column) {
-    for (const Role& role : roles_of(header.names[column], kind)) {
+    for (const Role& role : roles_of(name_with_unit(header, column), kind)) {
       Group& group = groups[role.group];
       group.columns.resize(names_of(kind).size());
       group.columns[role.component].push_back(column);

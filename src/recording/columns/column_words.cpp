@@ -27,7 +27,10 @@ void add_time(const Words& all_words, std::vector<Role>& roles) {
     return is_in(clocks, word) || is_in(qualifiers, word) || is_owner(word) ||
            (word == "offset" && words[0] == "clock");
   });
-  if (!is_time || !is_known || unit.rate) return;
+  // "Shimmer_5E_Timestamp_Unix_CAL (ms)"
+  const bool is_stamp =
+      unit.time && has_any(words, {"timestamp", "timestamps"}) && !are_of_other_quantity(words);
+  if (!is_time || !(is_known || is_stamp) || unit.rate) return;
   roles.push_back({fmt::format("{}", fmt::join(all_words, " ")), 0, false, false});
 }
 

@@ -339,6 +339,12 @@ std::unique_ptr<table::Reader> with_derived_times(std::unique_ptr<table::Reader>
   return std::make_unique<DerivedTimes>(std::move(table), std::move(derived), std::move(counters));
 }
 
+table::BadTable unknown_rate(const table::Header& header, const std::string& numbers) {
+  return {header.file,
+          fmt::format("its rows are numbered by {}, but nothing states their rate", numbers),
+          "state it in a comment above the names, such as: # frame rate: 100 Hz"};
+}
+
 std::optional<std::size_t> frame_column(const table::Header& header) {
   for (std::size_t column = 0; column < header.names.size(); ++column) {
     const Words words = words_of(header.names[column]);

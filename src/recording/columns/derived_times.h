@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "table/error.h"
 #include "table/reader.h"
 
 namespace twrench::recording {
@@ -16,6 +18,9 @@ namespace twrench::recording {
 /// unless the parts are whole numbers within their limits. Counters that begin anew after their
 /// largest number, such as Xsens' PacketCounter, are continued.
 std::unique_ptr<table::Reader> with_derived_times(std::unique_ptr<table::Reader> table);
+
+/// The error for rows that are numbered by `numbers` without a stated rate.
+table::BadTable unknown_rate(const table::Header& header, const std::string& numbers);
 
 /// The column that counts the rows by its name: "Frame#", "PacketCounter".
 std::optional<std::size_t> frame_column(const table::Header& header);

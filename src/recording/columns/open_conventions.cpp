@@ -118,11 +118,7 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
   std::vector<ColumnSet> found = find_sets(header, Kind::time);
   const auto frames = frame_column(header);
   if (found.empty() && frames) {
-    throw table::BadTable(
-        header.file,
-        fmt::format("its rows are numbered by '{}', but nothing states their rate",
-                    header.names[*frames]),
-        "state it in a comment above the names, such as: # frame rate: 100 Hz");
+    throw unknown_rate(header, fmt::format("'{}'", header.names[*frames]));
   }
   if (found.empty()) {
     throw ColumnError(header.file, "t", "no column is recognised as the time",

@@ -17,6 +17,7 @@ bool is_resolved_in_space(const Words& words) {
 
 /// Whether the words other than the axis are those of an angular velocity.
 bool are_of_rates(const Words& words) {
+  if (words == Words{"w", "a"}) return true;  // Modelica: the body's, about the axes of its frame_a
   const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates"};
   const List about{"ang", "angular", "rotation", "rotational"};
   const List of_motion{"vel", "velocity", "speed", "twist"};
@@ -54,6 +55,13 @@ void add_rates(const Words& all_words, std::vector<Role>& roles) {
   const Words& words = unit.other_words;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Words rest = without(words, i);
+    // gx is an acceleration of gravity, too, unless its unit or its device says otherwise.
+    const bool is_of_gyroscope =
+        is_rate_in_radians_or_degrees(unit) ? rest.empty() : rest == Words{"imu"};
+    const auto joined = joined_component({words[i]}, {"g"});
+    if (joined && is_of_gyroscope) {
+      roles.push_back({group_of({"g", {}}, all_words, words[i]), *joined});
+    }
     for (const Alphabet& alphabet : axes) {
       const auto component = component_of(alphabet, words[i]);
       if (!component) continue;

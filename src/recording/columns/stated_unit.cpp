@@ -1,9 +1,13 @@
 #include "recording/columns/stated_unit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
+
+#include "recording/conventions/units.h"
 
 namespace twrench::recording {
 namespace {
@@ -158,6 +162,8 @@ std::size_t take_unit(std::span<const std::string> words, std::size_t at, Stated
   }
   const auto angle = std::ranges::find(angle_words, words[at], &RateWord::word);
   if (angle != angle_words.end()) {
+    const bool contradicts = unit.rate && name_of(*unit.rate).option != name_of(angle->unit).option;
+    if (contradicts) unit.unread = fmt::format("{} and {}", name_of(*unit.rate).option, words[at]);
     unit.rate = angle->unit;
     const std::size_t next = at + 1 < words.size() && words[at + 1] == "per" ? at + 2 : at + 1;
     constexpr std::array<std::string_view, 6> per_second{"adc",   "dps", "degps",
@@ -222,6 +228,10 @@ StatedUnit stated_unit(const table::Header& header, std::size_t column) {
   std::vector<std::string> words = words_of(header.units[column]);
   words.insert(words.begin(), "time");
   const StatedUnit below = stated_unit(words);
+  if (below.rate && unit.rate && *below.rate != *unit.rate) {
+    unit.unread = fmt::format("{} by its name and in {} by its unit", name_of(*unit.rate).option,
+                              header.units[column]);
+  }
   if (below.rate) unit.rate = below.rate;
   unit.is_per_second = unit.is_per_second || below.is_per_second;
   if (below.time) unit.time = below.time;
