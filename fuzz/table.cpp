@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "recording/columns/open_conventions.h"
-#include "recording/row_reader.h"
+#include "recording/recording.h"
+#include "recording/time_choice.h"
 #include "system/error.h"
 #include "table/reader.h"
 #include "target.h"
@@ -15,8 +16,8 @@ namespace {
 
 using namespace twrench;
 
-void read_rows(std::string_view bytes, const recording::Convention& convention) {
-  recording::RowReader reader(table::open_table("input", bytes), convention);
+void read_rows(const recording::Recording& recording, const recording::Convention& convention) {
+  recording::RowReader reader = recording.rows(convention);
   double last = -std::numeric_limits<double>::infinity();
   for (recording::Row row; reader.next(row);) {
     require(row.t > last, "times ascend");
@@ -29,13 +30,14 @@ void read_rows(std::string_view bytes, const recording::Convention& convention) 
 }
 
 void read_table(std::string_view bytes) {
-  const auto header = table::open_table("input", bytes)->header();
-  require(!header.names.empty(), "a table has columns");
-  for (const recording::Convention& convention : recording::conventions(header, {})) {
+  const recording::Recording recording(table::open_table("input", bytes));
+  require(!recording.header().names.empty(), "a table has columns");
+  for (const recording::Convention& convention :
+       recording::with_times(recording, recording::conventions(recording.header(), {}))) {
     const auto columns = recording::format_columns(convention.columns);
     require(recording::parse_columns(columns, "columns") == convention.columns,
             "columns are read back");
-    read_rows(bytes, convention);
+    read_rows(recording, convention);
   }
 }
 
