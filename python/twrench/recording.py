@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["Recording"]
 
 RateAxes = Literal["body", "space"]
-TimeUnit = Literal["s", "ms", "us", "ns", "min", "h", "0.1ms"]
+TimeUnit = Literal["s", "ms", "us", "ns", "min", "h", "d", "0.1ms"]
 RateUnit = Literal["rad", "deg", "rev", "rpm"]
 AngleUnit = Literal["rad", "deg"]
 

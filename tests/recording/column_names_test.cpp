@@ -194,6 +194,15 @@ TEST(Owners, MayPrecedeTheNames) {
               HasSubstr("no column is recognised as the time"));
 }
 
+TEST(Time, MayBeInDays) {
+  for (const char* name :
+       {"Sat.A1ModJulian", "mjd", "UTC MJD", "time_days", "Modified Julian Day"}) {
+    const auto all = conventions(header_of({name, "wx", "wy", "wz"}), {});
+    EXPECT_THAT(all, SizeIs(1)) << name;
+    EXPECT_EQ(all.front().time_unit, TimeUnit::d) << name;
+  }
+}
+
 TEST(Time, IsNotATemperature) {
   EXPECT_THAT(readings_of({"TimeUS", "GyrX", "GyrY", "GyrZ", "T"}), SizeIs(2));
   EXPECT_THAT(readings_of({"T", "wx", "wy", "wz"}), ElementsAre("t=T,wx=wx,wy=wy,wz=wz"));

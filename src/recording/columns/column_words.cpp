@@ -22,9 +22,12 @@ void add_time(const Words& all_words, std::vector<Role>& roles) {
                         "log",   "logging",     "chip",        "local",     "date",   "reboot",
                         "start", "measurement", "gyro",        "gyroscope", "rel",    "relative",
                         "abs",   "absolute",    "acquisition", "1970",      "clock",  "startup"};
-  const bool is_time = has_any(words, clocks) || (unit.time && words.empty());
+  const bool is_time =
+      has_any(words, clocks) || (unit.time && words.empty()) || unit.time == TimeUnit::d;
+  const bool is_julian = unit.time == TimeUnit::d;  // "A1ModJulian" counts atomic time
   const bool is_known = std::ranges::all_of(words, [&](const std::string& word) {
-    return is_in(clocks, word) || is_in(qualifiers, word) || is_owner(word) ||
+    return (is_julian && is_in({"a", "1", "mod", "modified", "tai", "tt", "tdb", "day"}, word)) ||
+           is_in(clocks, word) || is_in(qualifiers, word) || is_owner(word) ||
            (word == "offset" && words[0] == "clock");
   });
   // "Shimmer_5E_Timestamp_Unix_CAL (ms)"

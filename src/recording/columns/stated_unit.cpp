@@ -105,7 +105,7 @@ struct TimeWord {
   std::string_view word;
   TimeUnit unit;
 };
-constexpr std::array<TimeWord, 25> time_words{{{"s", TimeUnit::s},
+constexpr std::array<TimeWord, 30> time_words{{{"s", TimeUnit::s},
                                                {"sec", TimeUnit::s},
                                                {"secs", TimeUnit::s},
                                                {"second", TimeUnit::s},
@@ -129,7 +129,12 @@ constexpr std::array<TimeWord, 25> time_words{{{"s", TimeUnit::s},
                                                {"mins", TimeUnit::min},
                                                {"minutes", TimeUnit::min},
                                                {"hrs", TimeUnit::h},
-                                               {"hours", TimeUnit::h}}};
+                                               {"hours", TimeUnit::h},
+                                               {"days", TimeUnit::d},
+                                               {"julian", TimeUnit::d},
+                                               {"jd", TimeUnit::d},
+                                               {"mjd", TimeUnit::d},
+                                               {"jdate", TimeUnit::d}}};
 
 /// The unit of time that the word at `at` names. "min" and "h" also mean other things, so they
 /// count only after a word for time: "t_min".

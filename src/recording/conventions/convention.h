@@ -21,7 +21,7 @@ enum class Angle { radians, degrees };
 enum class RateUnit { rad_s, deg_s, rev_s, rpm };
 
 /// The unit of times.
-enum class TimeUnit { s, ms, us, ns, min, h, tenth_ms };
+enum class TimeUnit { s, ms, us, ns, min, h, d, tenth_ms };
 
 /// How a file writes the attitude. A rotation vector is the axis times the angle. The (classical)
 /// Rodrigues parameters are the axis times tan(angle/2), the modified ones (MRP) times

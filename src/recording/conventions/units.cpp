@@ -20,13 +20,11 @@ constexpr std::array angle_names{AngleName{Angle::radians, "rad", 1},
                                  AngleName{Angle::degrees, "deg", std::numbers::pi / 180}};
 static_assert(has_row_for_each(angle_names, &AngleName::unit));
 
-constexpr std::array time_unit_names{TimeUnitName{TimeUnit::s, "s", 1},
-                                     TimeUnitName{TimeUnit::ms, "ms", 1e-3},
-                                     TimeUnitName{TimeUnit::us, "us", 1e-6},
-                                     TimeUnitName{TimeUnit::ns, "ns", 1e-9},
-                                     TimeUnitName{TimeUnit::min, "min", 60},
-                                     TimeUnitName{TimeUnit::h, "h", 3600},
-                                     TimeUnitName{TimeUnit::tenth_ms, "0.1ms", 1e-4}};
+constexpr std::array time_unit_names{
+    TimeUnitName{TimeUnit::s, "s", 1},      TimeUnitName{TimeUnit::ms, "ms", 1e-3},
+    TimeUnitName{TimeUnit::us, "us", 1e-6}, TimeUnitName{TimeUnit::ns, "ns", 1e-9},
+    TimeUnitName{TimeUnit::min, "min", 60}, TimeUnitName{TimeUnit::h, "h", 3600},
+    TimeUnitName{TimeUnit::d, "d", 86400},  TimeUnitName{TimeUnit::tenth_ms, "0.1ms", 1e-4}};
 static_assert(has_row_for_each(time_unit_names, &TimeUnitName::unit));
 
 }  // namespace
@@ -46,7 +44,7 @@ const AngleName& name_of(Angle unit) {
 std::span<const TimeUnitName> units_of_times() { return time_unit_names; }
 
 std::span<const TimeUnitName> common_units_of_times() {
-  return std::span(time_unit_names).first<time_unit_names.size() - 1>();
+  return std::span(time_unit_names).first<time_unit_names.size() - 2>();
 }
 
 const TimeUnitName& name_of(TimeUnit unit) {

@@ -36,7 +36,8 @@ struct TimeUnitName {
   double in_s;
 };
 std::span<const TimeUnitName> units_of_times();
-/// All but 0.1 ms, which only the clocks of a few sensors count.
+/// All but days, which the names of columns state, and 0.1 ms, which only the clocks of a few
+/// sensors count.
 std::span<const TimeUnitName> common_units_of_times();
 const TimeUnitName& name_of(TimeUnit unit);
 
