@@ -19,6 +19,12 @@ DateOrder order_or_day_first(DateOrder order) {
   return order == DateOrder::open ? DateOrder::day_first : order;
 }
 
+/// MATLAB writes a duration as "0.02 sec".
+std::string_view without_seconds(std::string_view cell) {
+  if (cell.ends_with(" sec")) cell.remove_suffix(4);
+  return cell;
+}
+
 }  // namespace
 
 CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
@@ -134,7 +140,7 @@ void CsvReader::read_cell(std::string_view cell, Selected& selected,
   Reading reading = read_number(cell, dialect_.decimal_comma, number);
   if (reading == Reading::text) {
     cell = trimmed(cell);
-    reading = read_number(cell, dialect_.decimal_comma, number);
+    reading = read_number(without_seconds(cell), dialect_.decimal_comma, number);
   }
   const std::string& name = header_.names[selected.column];
   if (reading == Reading::text) throw no_number(place(), name, cell);

@@ -186,5 +186,12 @@ TEST(CsvReader, RefusesManyColumnsSoon) {
               testing::HasSubstr("it has 100001 columns"));
 }
 
+TEST(CsvReader, ReadsDurationsInSeconds) {
+  EXPECT_EQ(read_table("Time,w\n0.25 sec,1\n0.5 sec,2\n").rows,
+            (std::vector<std::vector<double>>{{0.25, 1}, {0.5, 2}}));
+  EXPECT_THAT(table_error_of("Time,w\n0.25 min,1\n0.5 min,2\n"),
+              HasSubstr("'0.25 min' is no number"));
+}
+
 }  // namespace
 }  // namespace twrench::table
