@@ -135,7 +135,8 @@ TEST(Recording, ReadsYawPitchAndRollInTheirUsualSequence) {
     ADD_FAILURE() << "it chose";
   } catch (const InvalidArgument& error) {
     EXPECT_EQ(error.remedy(),
-              "these angles fit in the sequence xyz, space from body: add --sequence xyz");
+              "these angles fit as turns about x, then y, then z, space from body: add " +
+                  argument("sequence", "xyz"));
   }
 }
 
@@ -157,9 +158,10 @@ TEST(Recording, NamesTheReadingOfColumnsWithoutNamesThatFits) {
     }
     return std::string("it chose");
   };
-  EXPECT_THAT(remedy(true),
-              testing::HasSubstr("add --columns 't=#1,wx=#2,wy=#3,wz=#4,qw=#8,qx=#5,qy=#6,qz=#7'"));
-  EXPECT_THAT(remedy(false), testing::HasSubstr("add --columns 't=#1,qw=#8,qx=#5,qy=#6,qz=#7'"));
+  EXPECT_THAT(remedy(true), testing::HasSubstr(argument(
+                                "columns", "t=#1,wx=#2,wy=#3,wz=#4,qw=#8,qx=#5,qy=#6,qz=#7")));
+  EXPECT_THAT(remedy(false),
+              testing::HasSubstr(argument("columns", "t=#1,qw=#8,qx=#5,qy=#6,qz=#7")));
 }
 
 // Two units are possible, and only one of them fits.

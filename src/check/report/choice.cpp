@@ -52,7 +52,9 @@ std::string fit_text(const table::Header& header, const Convention& convention) 
       return fmt::format("these quaternions fit as {}, {}", component_order(header, convention),
                          frames);
     case AttitudeForm::euler:
-      return fmt::format("these angles fit in the sequence {}, {}", convention.sequence, frames);
+      return fmt::format("these angles fit as turns about {}, then {}, then {}, {}",
+                         convention.sequence[0], convention.sequence[1], convention.sequence[2],
+                         frames);
     case AttitudeForm::matrix:
       return fmt::format("these matrices fit as {}", frames);
     case AttitudeForm::rotation_vector:
