@@ -219,7 +219,7 @@ void RowDecoder::decode_attitude(std::span<const table::Number> numbers, Row& ro
       row.X = rotation_by_mrp(vector_of(numbers));
       break;
     case AttitudeForm::rodrigues:
-      row.X = rotation_by_rodrigues(vector_of(numbers));
+      decode_rodrigues(numbers, row);
       break;
   }
   if (inverse_) row.X.transposeInPlace();
@@ -297,6 +297,12 @@ void RowDecoder::decode_axis_angle(std::span<const table::Number> numbers, Row& 
   }
   // Without a rotation, there may be no axis.
   row.X = angle == 0 ? Matrix3d::Identity() : rotation_by_vector(angle / length * axis);
+}
+
+void RowDecoder::decode_rodrigues(std::span<const table::Number> numbers, Row& row) const {
+  const Eigen::Vector3d g = vector_of(numbers);
+  row.X = rotation_by_rodrigues(g);
+  row.rodrigues_length = g.stableNorm();
 }
 
 }  // namespace twrench::recording

@@ -70,6 +70,7 @@ class RowDecoder {
   void decode_quaternion(std::span<const table::Number> numbers, Row& row) const;
   void decode_euler(std::span<const table::Number> numbers, Row& row) const;
   void decode_axis_angle(std::span<const table::Number> numbers, Row& row) const;
+  void decode_rodrigues(std::span<const table::Number> numbers, Row& row) const;
   table::BadTable bad_attitude(const std::string& why, const std::string& remedy) const;
 
   AttitudeForm form_;

@@ -18,6 +18,8 @@ struct Row {
   /// How far the file's numbers are from a rotation: Frobenius norm of X^T X - Id for a matrix,
   /// | |q|^2 - 1 | for a quaternion, 0 for Euler angles.
   double orthogonality_error = 0;
+  /// Length of the Rodrigues parameters, tan(angle / 2); 0 for any other form.
+  double rodrigues_length = 0;
 };
 
 /// Evenly spread rows of a file of any length: the first and every 2^k-th after it.

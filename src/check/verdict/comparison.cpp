@@ -88,6 +88,7 @@ void Comparison::compare_attitude(const Row& row, const motion::Sample& exact, S
   const Vector3d error = so3::log(row.X * (reference_.frame * exact.X).transpose());
   const double t = row.t - first_.t;
   span.attitude_error = error.norm();
+  span.rodrigues_length = row.rodrigues_length;
   add_to(attitude_, span.attitude_error, error.squaredNorm(), row.t);
   span.attitude_differences = attitude_table_.add(row.t, error).value_or(DifferenceSums());
   times_squared_ += t * t;

@@ -9,6 +9,7 @@ void merge(Span& span, const Span& next) {
   span.last = next.last;
   span.rate_error = std::max(span.rate_error, next.rate_error);
   span.attitude_error = std::max(span.attitude_error, next.attitude_error);
+  span.rodrigues_length = std::max(span.rodrigues_length, next.rodrigues_length);
   span.rate_differences.add(next.rate_differences);
   span.attitude_differences.add(next.attitude_differences);
 }

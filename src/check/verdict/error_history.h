@@ -10,9 +10,10 @@ namespace twrench::check {
 
 /// The errors of consecutive rows.
 struct Span {
-  recording::Row last;        ///< the last of the rows
-  double rate_error = 0;      ///< largest, rad/s
-  double attitude_error = 0;  ///< largest, rad
+  recording::Row last;          ///< the last of the rows
+  double rate_error = 0;        ///< largest, rad/s
+  double attitude_error = 0;    ///< largest, rad
+  double rodrigues_length = 0;  ///< largest Row::rodrigues_length
   DifferenceSums rate_differences = {}, attitude_differences = {};
   double rate_limit = 0;      ///< resolution limit at the last row, rad/s
   double attitude_limit = 0;  ///< likewise, rad

@@ -184,6 +184,16 @@ LastDigits digits_of(const RowReader& reader, const Comparison& comparison, cons
   return digits;
 }
 
+/// The digit of the attitudes in a span. Programs compute Rodrigues parameters from differences of
+/// matrix entries, such as x32 - x23, which nearly cancel near half a turn: all the more of the
+/// digits that numbers have in memory are lost, however many are printed.
+double attitude_digit(const Judgement& judgement, const Span& span) {
+  const recording::Resolution& printed = judgement.attitude_resolution;
+  const double in_memory =
+      printed.base == 2 ? printed.relative : std::numeric_limits<double>::epsilon();
+  return std::max(judgement.digits.attitude, 2 * in_memory * span.rodrigues_length);
+}
+
 /// Sets the resolution limits of each span: how precisely the digits of the file and those of
 /// doubles determine the motion.
 void add_limits(Judgement& judgement, const Comparison& comparison) {
@@ -195,13 +205,16 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   const double speed = body.omega().norm();
   const double initial = judgement.has_rates ? digits.rate : digits.attitude * speed;
   const std::vector<Growth> growth = error_growth(body, times, initial);
+  // The first row determines the frame.
+  const double of_frame = attitude_digit(judgement, judgement.course.front());
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   judgement.within_digits = true;
   for (std::size_t i = 0; i < times.size(); ++i) {
     Span& span = judgement.course[i];
     const double time = digits.time.at(span.last.t) + round_off * std::abs(times[i]);
     span.rate_limit = initial * (1 + growth[i].rates) + comparison.largest_acceleration() * time;
-    span.attitude_limit = 2 * digits.attitude + growth[i].attitude * initial + speed * time;
+    span.attitude_limit =
+        of_frame + attitude_digit(judgement, span) + growth[i].attitude * initial + speed * time;
     const bool is_within = (!judgement.has_rates || span.rate_error <= span.rate_limit) &&
                            (!judgement.has_attitude || span.attitude_error <= span.attitude_limit);
     judgement.within_digits = judgement.within_digits && is_within;
@@ -211,9 +224,19 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   judgement.attitude_limit = judgement.course.back().attitude_limit;
 }
 
+/// Whether the noise explains what the best initial state leaves.
+bool is_noise_left_by(const Fit& fit, const Judgement& judgement) {
+  constexpr double about = 1.2;
+  const auto is_left = [&](const std::optional<double>& residual, double noise, double limit) {
+    return !residual || *residual <= about * noise + limit;
+  };
+  return is_left(fit.rate_residual, judgement.noise.rate, judgement.rate_limit) &&
+         is_left(fit.attitude_residual, judgement.noise.attitude, judgement.attitude_limit);
+}
+
 /// Whether the digits and the noise explain all errors: those of the rows, and that of the initial
 /// state as the motion amplifies it.
-bool are_noise(const Judgement& judgement) {
+bool are_noise(const Judgement& judgement, const ReadRecording& read, const Problem& problem) {
   const Noise& noise = judgement.noise;
   const motion::FreeBody& body = judgement.reference.body;
   const double speed = body.omega().norm();
@@ -232,6 +255,11 @@ bool are_noise(const Judgement& judgement) {
   for (const Span& span : judgement.course)
     times.push_back(span.last.t - judgement.reference.start);
   const std::vector<Growth> growth = error_growth(body, times, initial);
+  const double grown =
+      std::max(growth.back().rates / speed, judgement.has_attitude ? growth.back().attitude : 0);
+  constexpr double much = 0.1;  // if errors grow so much, wrong motions are within the limits, too
+  if (initial * grown > much)
+    return is_noise_left_by(judgement.fit ? *judgement.fit : fitted(read, problem), judgement);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Span& span = judgement.course[i];
     const double rate_limit = span.rate_limit + rate + initial * growth[i].rates;
@@ -263,8 +291,8 @@ void take_sizes(Judgement& judgement, const Comparison& comparison, AttitudeForm
 }
 
 /// Draws the conclusions from the errors after a pass.
-void draw_conclusions(Judgement& judgement, Comparison& comparison, const Recording& recording,
-                      const UnitWatch& units) {
+void draw_conclusions(Judgement& judgement, Comparison& comparison, const ReadRecording& read,
+                      const Problem& problem, const UnitWatch& units) {
   add_limits(judgement, comparison);
   judgement.flips =
       paired(comparison.flips().finish(), exact_flips(judgement.reference, 0, judgement.duration));
@@ -283,12 +311,12 @@ void draw_conclusions(Judgement& judgement, Comparison& comparison, const Record
         judgement.attitude->max >
         margin * (comparison.accumulated_rate_error() + judgement.attitude_limit);
   }
-  judgement.within_noise = judgement.within_digits || are_noise(judgement);
+  judgement.within_noise = judgement.within_digits || are_noise(judgement, read, problem);
   constexpr double suspicious = 1e-3;
   if (judgement.within_noise || relative_error(judgement) < suspicious) return;
   units.require_one_unit();
   judgement.misfit =
-      misfit(judgement.reference.body.inertia(), informative_rows(recording, judgement.convention),
+      misfit(judgement.reference.body.inertia(), informative_rows(read.recording, read.convention),
              judgement.has_rates, judgement.has_attitude);
 }
 
@@ -331,7 +359,7 @@ Judgement judge(const Recording& recording, const recording::Convention& convent
   judgement.rate_resolution = reader.rate_resolution();
   judgement.attitude_resolution = reader.attitude_resolution();
   judgement.course = std::move(comparison.spans());
-  draw_conclusions(judgement, comparison, recording, units);
+  draw_conclusions(judgement, comparison, read, problem, units);
   return judgement;
 }
 

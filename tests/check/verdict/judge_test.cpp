@@ -12,6 +12,7 @@
 #include "check/recordings.h"
 #include "check/verdict/error.h"
 #include "motion/reference.h"
+#include "scene_dice.h"
 
 namespace twrench::check {
 namespace {
@@ -311,6 +312,49 @@ TEST(Judge, ASphereABodyAtRestAndASteadyOneHaveNoPhase) {
     EXPECT_TRUE(judgement.flips.empty());
     EXPECT_TRUE(std::isfinite(judgement.energy_drift));
   }
+}
+
+/// Rows of a motion near the separatrix, which amplifies the noise of the first row until the phase
+/// is lost. The rates of a body with damping decay.
+Judgement judged_with_noise(double damping) {
+  const motion::ExactMotion exact({inertia, Vector3d(0.02, 1, 0.03)});
+  std::vector<Row> rows = rows_of([&](double t) { return exact.at(t); }, 600, 0.2);
+  SceneDice dice(1, 2);
+  for (Row& row : rows) {
+    row.omega *= std::exp(-damping * row.t);
+    row.omega += 2e-3 * dice.vector(-1, 1);
+  }
+  return judged(rows, Parts::rates, tumbling_problem());
+}
+
+TEST(Judge, FindsTheMotionInNoiseThatGrows) {
+  const Judgement judgement = judged_with_noise(0);
+  EXPECT_GT(judgement.rates->max, 0.3);  // a third of the rates
+  EXPECT_TRUE(judgement.within_noise);
+  EXPECT_FALSE(judged_with_noise(1e-3).within_noise);
+}
+
+/// A steady rotation as Rodrigues parameters, a thousand of them at half a turn. The axis of one
+/// row is tilted by 1e-14.
+Judgement judged_rodrigues(int tilted_row) {
+  const ScratchFolder folder;
+  std::string text = "t,gibbsx,gibbsy,gibbsz,wx,wy,wz\n";
+  for (int i = 0; i < 40; ++i) {
+    const double t = 0.1 * i, g = std::tan((t + 2e-3 + std::numbers::pi - 2) / 2);
+    text += fmt::format("{:.17g},{:.17g},0,{:.17g},0,0,1\n", t, i == tilted_row ? 1e-14 * g : 0, g);
+  }
+  system::write_file_atomically(folder / "rows.csv", text);
+  recording::Convention convention;
+  for (const char* name : {"t", "gibbsx", "gibbsy", "gibbsz", "wx", "wy", "wz"})
+    convention.columns[name] = name;
+  return judge(recording::Recording(folder / "rows.csv"), convention, tumbling_problem());
+}
+
+// Near half a turn, programs lose digits of Rodrigues parameters.
+TEST(Judge, KnowsHowManyDigitsOfRodriguesParametersAreLost) {
+  constexpr int at_half_a_turn = 20, far_from_it = 10;
+  EXPECT_TRUE(judged_rodrigues(at_half_a_turn).within_digits);
+  EXPECT_FALSE(judged_rodrigues(far_from_it).within_digits);
 }
 
 TEST(Judge, KeepsNoMoreThanSomeSpansOfAnyNumberOfRows) {
