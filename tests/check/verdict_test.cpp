@@ -48,5 +48,27 @@ TEST(Verdict, NamesTheMistakesOfSimulators) {
   EXPECT_GE(named, named_at_least);
 }
 
+// With a given omega, and moments so different that momenta in wrong axes mean far faster rates.
+TEST(Verdict, IsRightOfMomentaInOtherAxes) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_verdict(random_recording(24102, 925), folder.path()), "");
+}
+
+// Of this body, which is almost symmetric, delayed rates look almost like those of a fixed part.
+TEST(Verdict, PrefersALawThatExplainsFarMoreThanAReading) {
+  const ScratchFolder folder;
+  const VerdictOnLaw verdict = verdict_on(wrong_simulation(24102, 488), folder.path());
+  EXPECT_EQ(verdict.fault, "");
+  EXPECT_TRUE(verdict.names_mistake);
+}
+
+// In noise, rows are compared between which this body turns by more than half a turn.
+TEST(Verdict, NamesAMistakeBeyondHalfATurn) {
+  const ScratchFolder folder;
+  const VerdictOnLaw verdict = verdict_on(wrong_simulation(24102, 1241), folder.path());
+  EXPECT_EQ(verdict.fault, "");
+  EXPECT_TRUE(verdict.names_mistake);
+}
+
 }  // namespace
 }  // namespace twrench::check

@@ -182,20 +182,19 @@ class Search {
     if (!found.worst()) return;
     nearest_ = std::max(follows, std::min(nearest_, *found.worst()));
     for (const Units& units : scale.units) {
-      if (!agrees_with_omega(variant, units)) continue;
+      if (!agrees_with_omega(rows, scale.factor, units)) continue;
       found_.push_back({{convention_of(variant, units, change), found}, rows});
     }
   }
 
   /// If the angular velocity is given, that of the rows must have about the same magnitude in these
-  /// units.
-  bool agrees_with_omega(const Variant& variant, const Units& units) const {
-    const std::vector<Row>& rows = variant.rows;
+  /// units. The rates of the rows are already multiplied by `factor`.
+  bool agrees_with_omega(const std::vector<Row>& rows, double factor, const Units& units) const {
     if (!problem_.omega || rows.size() < 2) return true;
     const double given = problem_.omega->norm();
     const double faster = name_of(units.rate).in_rad_s / name_of(rate_unit(convention_)).in_rad_s;
     const double found =
-        has_rates_ ? faster * rows[0].omega.norm()
+        has_rates_ ? faster / factor * rows[0].omega.norm()
                    : omega_between(problem_.inertia, rows[0], rows[1]).norm() / seconds(units.time);
     // Between the two times, the rates can change by as much as the moments differ.
     constexpr double about = 7;
@@ -347,8 +346,9 @@ void remove_partial_fits(Alternatives& found, const Recording& recording, const 
     const double miss =
         largest_miss(problem.inertia, spread_rows(recording, problem, reading.convention),
                      judgement.has_attitude, noise);
-    constexpr double worse = 1.5, of_methods = 1e-4;
+    constexpr double worse = 1.1, of_methods = 1e-4, far_worse = 20, round_off = 1e-8;
     if (miss > std::max(worse * miss_of_law, of_methods)) return true;
+    if (miss > far_worse * miss_of_law + round_off) return true;
     constexpr double of_digits = 10, of_one_change = 0.2, of_each_more = 0.1;
     const int changes = count_changes(judgement.convention, reading.convention);
     const double most = of_one_change * std::pow(of_each_more, changes - 1);
@@ -386,8 +386,9 @@ Alternatives better_readings(const Recording& recording, const Problem& problem,
   const double speed = judgement.reference.body.omega().norm();
   const bool is_of_another_start =
       problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
-  if (*miss < good && !is_of_another_start) return {};
   const WrongLaws laws = laws_of(recording, problem, judgement);
+  // Few rows may follow another law, such as those at a limit of the speed.
+  if (*miss < good && !is_of_another_start) return {.laws = laws};
   const bool is_usual = is_one_usual_mistake(laws);
   // Rates alone are those of a reversed gyroscopic term in a reading with mirrored axes, too.
   if (is_usual && judgement.has_attitude) return {.laws = laws};

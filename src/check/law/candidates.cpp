@@ -107,9 +107,9 @@ std::vector<Candidate> candidates_for_rates(const Matrix3d& inertia, const RowSc
       candidate(Mistake::damping, 0, speed, {}, [](Law& law, double c) { law.damping = c; }),
       candidate(Mistake::quadratic_damping, 0, 1, {},
                 [](Law& law, double d) { law.quadratic_damping = d; }),
+      candidate(Mistake::speed_limit, scales.later_speed, speed, {},
+                [](Law& law, double limit) { law.speed_limit = limit; }),
       other_moments(inertia)};
-  const double limit = scales.frequent_speed;
-  candidates.push_back(plain(Mistake::speed_limit, [limit](Law& law) { law.speed_limit = limit; }));
   if (has_attitude)
     candidates.push_back(torque(Mistake::space_torque, &Law::space_torque, torque_scale));
   candidates.push_back(of_inertia(Mistake::inverse_inertia, moment * moment * inertia.inverse()));

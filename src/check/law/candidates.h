@@ -20,9 +20,9 @@ struct Candidate {
 
 /// The sizes of rows that scale the numbers of a law.
 struct RowScales {
-  double speed;           ///< largest |w|, rad/s
-  double frequent_speed;  ///< exceeded by a tenth of the rows: a limit, if one matters
-  double step;            ///< mean time between rows, s
+  double speed;        ///< largest |w|, rad/s
+  double later_speed;  ///< the same without the first row, which may exceed a limit
+  double step;         ///< mean time between rows, s
 };
 
 /// Every mistake in the law of the rates. A torque in space needs an attitude.

@@ -74,16 +74,20 @@ Numbers stepped(const Equation& rate_of, const Numbers& at, double h) {
   return at.plus(k1, h / 6).plus(k2, h / 3).plus(k3, h / 3).plus(k4, h / 6);
 }
 
+Vector3d limited(const Law& law, const Vector3d& omega) {
+  const double speed = omega.norm();
+  return speed > law.speed_limit ? Vector3d(law.speed_limit / speed * omega) : omega;
+}
+
 Numbers integrated(const Law& law, const State& from, double time, double step) {
   constexpr double most = 2000;  // a law that turns farther between rows is of no use
-  Numbers at{from.omega, from.X.coeffs(), Vector3d::Zero()};
+  Numbers at{limited(law, from.omega), from.X.coeffs(), Vector3d::Zero()};
   const double turn = std::abs(time) * from.omega.norm() * std::max(1.0, law.attitude_factor);
   const auto count = static_cast<int>(std::ceil(std::clamp(turn / step, 1.0, most)));
   const Equation equation(law);
   for (int i = 0; i < count; ++i) {
     at = stepped(equation, at, time / count);
-    const double speed = at.omega.norm();
-    if (speed > law.speed_limit) at.omega *= law.speed_limit / speed;
+    at.omega = limited(law, at.omega);
   }
   return at;
 }

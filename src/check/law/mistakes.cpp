@@ -24,9 +24,8 @@ using Eigen::VectorXd;
 struct Pairs {
   std::vector<std::pair<State, State>> states;
   std::vector<double> times;  ///< between the rows of each pair, s
-  double speed = 0;           ///< largest |w|, rad/s
-  double row_step = 0;        ///< mean time between rows, s
-  double law_step = 0;        ///< of advanced(), rad
+  RowScales scales = {};
+  double law_step = 0;  ///< of advanced(), rad
 };
 
 /// Few pairs and large steps show which laws are worth a precise fit.
@@ -46,9 +45,12 @@ double angle_of_pairs(double noise) {
 Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
   Pairs pairs;
   pairs.law_step = effort.law_step;
-  for (const Row& row : rows) pairs.speed = std::max(pairs.speed, row.omega.norm());
-  pairs.row_step = (rows.back().t - rows.front().t) / static_cast<double>(rows.size() - 1);
-  const double apart = angle_of_pairs(noise) / (pairs.speed * pairs.row_step);
+  RowScales& scales = pairs.scales;
+  for (const Row& row : rows.subspan(1))
+    scales.later_speed = std::max(scales.later_speed, row.omega.norm());
+  scales.speed = std::max(scales.later_speed, rows.front().omega.norm());
+  scales.step = (rows.back().t - rows.front().t) / static_cast<double>(rows.size() - 1);
+  const double apart = angle_of_pairs(noise) / (scales.speed * scales.step);
   const auto farthest = static_cast<double>(std::max<std::size_t>(1, rows.size() / 4));
   const auto stride = static_cast<std::size_t>(std::clamp(apart, 1.0, farthest));
   const std::size_t starts = rows.size() - stride, count = std::min(effort.pairs, starts);
@@ -58,14 +60,6 @@ Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
     pairs.times.push_back(to.t - from.t);
   }
   return pairs;
-}
-
-RowScales scales_of(const Pairs& pairs) {
-  std::vector<double> speeds;
-  for (const auto& [from, to] : pairs.states) speeds.push_back(from.omega.norm());
-  const auto nth = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
-  std::ranges::nth_element(speeds, nth);
-  return {pairs.speed, *nth, pairs.row_step};
 }
 
 /// The rotation vector of a rotation, at most half a turn.
@@ -108,7 +102,7 @@ struct Aspect {
   double unit;  ///< of the residuals
 };
 
-Aspect rates_of(const Pairs& pairs) { return {rates_residual, rates_change, pairs.speed}; }
+Aspect rates_of(const Pairs& pairs) { return {rates_residual, rates_change, pairs.scales.speed}; }
 constexpr Aspect attitude{attitude_residual, attitude_change, 1};
 
 /// How well laws explain pairs of rows.
@@ -134,11 +128,13 @@ class Comparer {
     return std::isfinite(ratio) ? std::sqrt(ratio) : std::numeric_limits<double>::infinity();
   }
 
+  /// The number of residuals.
+  double count() const { return static_cast<double>(3 * pairs_.states.size()); }
+
   /// The miss of the right law if both rows have noise of this standard deviation, in the unit of
   /// the residuals.
   double miss_of_noise(double deviation) const {
-    const auto numbers = static_cast<double>(3 * pairs_.states.size());
-    return aspect_.unit * deviation * std::sqrt(2 * numbers / changes_);
+    return aspect_.unit * deviation * std::sqrt(2 * count() / changes_);
   }
 
   Explanation fitted(const Candidate& candidate) const;
@@ -162,8 +158,15 @@ class Comparer {
 
 Explanation Comparer::fitted(const Candidate& candidate) const {
   const Index count = candidate.start.size();
+  // Far from the start, angles of more than half a turn are ambiguous.
+  VectorXd start = candidate.start;
+  for (const double usual : candidate.usual) {
+    VectorXd other = start;
+    other[0] = usual;
+    if (miss(candidate.law(right_, other)) < miss(candidate.law(right_, start))) start = other;
+  }
   const auto law_at = [&](const VectorXd& p) {
-    return candidate.law(right_, candidate.start + candidate.scale.cwiseProduct(p));
+    return candidate.law(right_, start + candidate.scale.cwiseProduct(p));
   };
   const auto differentiate = [&](const VectorXd& p, MatrixXd& jacobian) {
     constexpr double step = 1e-5;
@@ -186,7 +189,7 @@ Explanation Comparer::fitted(const Candidate& candidate) const {
   }
   Explanation found{candidate.mistake,
                     law_at(p),
-                    candidate.start + candidate.scale.cwiseProduct(p),
+                    start + candidate.scale.cwiseProduct(p),
                     candidate.scale.cwiseProduct(deviation),
                     static_cast<int>(count),
                     0};
@@ -206,15 +209,20 @@ Explanation Comparer::fitted(const Candidate& candidate) const {
 /// The explanations that fit about equally well, with the fewest free numbers. None if even the
 /// best explains too little of what the law as read misses: errors of methods look like small
 /// changes of a law, but what a law leaves of them is not far smaller, nor noise.
-std::vector<Explanation> best(std::vector<Explanation> all, double as_read, double noise) {
+std::vector<Explanation> best(std::vector<Explanation> all, const Comparer& precisely,
+                              double noise) {
   constexpr double far_better = 0.01, clearly_better = 0.5, about = 2;
   const double least = std::ranges::min(all, {}, &Explanation::miss).miss;
-  const bool is_noise = least < about * noise;
-  if (!(least < (is_noise ? clearly_better : far_better) * as_read)) return {};
-  constexpr double as_well = 3, as_well_in_noise = 1.15, of_methods = 1e-6;
-  const double most = std::max((is_noise ? as_well_in_noise : as_well) * least, of_methods);
+  const bool is_noise = least < about * precisely.miss_of_noise(noise);
+  if (!(least < (is_noise ? clearly_better : far_better) * precisely.miss_of_right())) return {};
+  // By chance, noise lets the sum of squares, in units of its variance, differ by no more.
+  constexpr double as_well = 3, of_methods = 1e-6, of_chance = 30;
+  const double ratio = is_noise ? std::sqrt(1 + of_chance / precisely.count()) : as_well;
+  const double most = std::max(ratio * least, of_methods);
   std::erase_if(all, [most](const Explanation& one) { return !(one.miss <= most); });
+  // In noise, fewer numbers explain about as much, too, and only usual ones are no coincidence.
   const int fewest = std::ranges::min(all, {}, &Explanation::free_numbers).free_numbers;
+  if (is_noise && fewest > 0) return all;
   std::erase_if(all, [fewest](const Explanation& one) { return one.free_numbers > fewest; });
   return all;
 }
@@ -233,7 +241,7 @@ std::vector<Explanation> explanations(const Comparer& roughly, const Comparer& p
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (misses[i] <= most) all.push_back(precisely.fitted(candidates[i]));
   }
-  return best(std::move(all), as_read, of_noise);
+  return best(std::move(all), precisely, noise);
 }
 
 /// A smaller miss is that of an integrator, and not worth an explanation.
@@ -245,10 +253,10 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
                      const RelativeNoise& noise) {
   const Pairs few = pairs_of(rows, noise.rates, rough);
   const Pairs many = pairs_of(rows, noise.rates, precise);
-  const double turn = many.speed * many.row_step;
+  const RowScales& scales = many.scales;
+  const double turn = scales.speed * scales.step;
   constexpr double too_far = 2;  // rad
   if (!(turn > 0 && turn < too_far)) return {};
-  const RowScales scales = scales_of(many);
   const Law right{.inertia = inertia};
   const Comparer of_rates(many, rates_of(many), right);
   WrongLaws found;

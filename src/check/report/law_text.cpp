@@ -103,9 +103,12 @@ std::string angles_text(const Explanation& explanation) {
       sequence);
 }
 
-std::string speed_text(const Judgement& judgement, double speed) {
+std::string limit_text(const Judgement& judgement, const Explanation& explanation) {
   const RateScale unit = rate_scale(judgement);
-  return fmt::format("{:.6g} {}", speed * unit.per_radian, unit.symbol);
+  return fmt::format("the angular velocity is limited to {} {}",
+                     number_text(explanation.value[0] * unit.per_radian,
+                                 explanation.deviation[0] * unit.per_radian),
+                     unit.symbol);
 }
 
 /// The moments of the body whose motion the rows follow.
@@ -141,7 +144,7 @@ std::string cause_text(const Judgement& judgement, const Explanation& explanatio
       return fmt::format("the rates are damped in proportion to their square, by {} per radian",
                          number_text(explanation));
     case Mistake::speed_limit:
-      return "the angular velocity is limited to " + speed_text(judgement, law.speed_limit);
+      return limit_text(judgement, explanation);
     case Mistake::products_sign:
       return "the products of inertia have the other sign";
     case Mistake::inverse_inertia:

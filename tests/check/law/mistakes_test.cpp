@@ -10,6 +10,7 @@
 #include "base/enumeration.h"
 #include "check/law/candidates.h"
 #include "check/recordings.h"
+#include "scene_dice.h"
 
 namespace twrench::check {
 namespace {
@@ -64,6 +65,34 @@ TEST(WrongLaws, HaveTheirNumbers) {
   EXPECT_EQ(found.of_attitude[0].mistake, Mistake::attitude_factor);
   EXPECT_EQ(found.of_attitude[0].value[0], 2);
   EXPECT_EQ(found.of_attitude[0].free_numbers, 0);
+}
+
+// Only the first tenth of these rows is at the limit: later the body turns as a free one.
+TEST(WrongLaws, OfFewRowsAreFound) {
+  Law law{.inertia = inertia};
+  law.speed_limit = 0.995 * omega.norm();
+  const std::vector<Row> rows = rows_of_law(law, 400, 0.05);
+  const WrongLaws found = wrong_laws(inertia, rows, true, no_noise);
+  ASSERT_THAT(found.of_rates, SizeIs(1));
+  EXPECT_EQ(found.of_rates[0].mistake, Mistake::speed_limit);
+  EXPECT_NEAR(found.of_rates[0].value[0], law.speed_limit, 1e-6);
+}
+
+// For this body, which is almost symmetric, other moments only change how fast the rates turn.
+TEST(WrongLaws, ThatNoiseHidesFromEachOtherAreAllFound) {
+  const Eigen::Matrix3d right = Vector3d(3, 2.2, 2.19).asDiagonal();
+  Law law{.inertia = Vector3d(3.3, 2.2, 2.19).asDiagonal()};
+  std::vector<Row> rows = rows_of_law(law, 300, 0.05);
+  constexpr double size = 1e-3;
+  SceneDice dice(1, 1);
+  for (Row& row : rows) row.omega += std::sqrt(3) * size * omega.norm() * dice.vector(-1, 1);
+  const WrongLaws found = wrong_laws(right, rows, true, {size, size});
+  const auto is_found = [&](Mistake mistake) {
+    return std::ranges::any_of(found.of_rates, [=](auto& one) { return one.mistake == mistake; });
+  };
+  EXPECT_TRUE(is_found(Mistake::moments));
+  EXPECT_TRUE(is_found(Mistake::gyroscopic_factor));
+  EXPECT_FALSE(is_found(Mistake::damping));
 }
 
 TEST(Candidates, AreAllMistakes) {
