@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -146,11 +147,16 @@ std::optional<CsvHeader> commented_header(const Sample& sample, char separator) 
   return std::nullopt;
 }
 
-/// Whether two columns have the same name.
-bool have_doubles(const std::vector<std::string>& names) {
-  std::set<std::string_view> seen;
-  return std::ranges::any_of(
-      names, [&](const std::string& name) { return !name.empty() && !seen.insert(name).second; });
+/// The first column whose name another one has, too; the number of columns if there is none.
+std::size_t first_doubled(const std::vector<std::string>& names) {
+  std::map<std::string_view, std::size_t> columns;
+  std::size_t first = names.size();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) continue;
+    const auto [found, is_new] = columns.emplace(names[i], i);
+    if (!is_new) first = std::min(first, found->second);
+  }
+  return first;
 }
 
 }  // namespace
@@ -162,18 +168,19 @@ bool are_units(std::span<const std::string_view> cells) {
 
 void add_groups(const std::vector<std::string>& lines, char separator,
                 std::vector<std::string>& names) {
+  const std::size_t first = first_doubled(names);
   std::vector<std::string> longer = names;
-  for (std::size_t i = lines.size(); have_doubles(longer) && i-- > 0;) {
+  for (std::size_t i = lines.size(); first_doubled(longer) < names.size() && i-- > 0;) {
     const Cells cells = cells_of(lines[i], separator);
     if (cells.size() != names.size()) continue;
     std::string_view group;
     for (std::size_t column = 0; column < names.size(); ++column) {
       if (!cells[column].empty()) group = cells[column];
-      const bool is_named = !group.empty() && !longer[column].empty();
-      if (is_named) longer[column] = fmt::format("{}: {}", group, longer[column]);
+      const bool is_in_group = column >= first && !group.empty() && !longer[column].empty();
+      if (is_in_group) longer[column] = fmt::format("{}: {}", group, longer[column]);
     }
   }
-  if (!have_doubles(longer)) names = std::move(longer);
+  if (first_doubled(longer) == names.size()) names = std::move(longer);
 }
 
 CsvHeader find_csv_header(const Sample& sample, char separator) {

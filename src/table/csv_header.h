@@ -22,9 +22,9 @@ struct CsvHeader {
 /// 1 of a quantity without a unit.
 bool are_units(std::span<const std::string_view> cells);
 
-/// Puts the names of groups before names that occur twice: "Rotation: X", "Position: X". The groups
-/// are in the lines before the names that have as many cells; an empty cell belongs to the group
-/// before it. Does nothing if the names then still occur twice.
+/// Puts the names of groups before names, from the first that occurs twice on: "Rotation: X",
+/// "Position: X". The groups are in the lines before the names that have as many cells; an empty
+/// cell belongs to the group before it. Does nothing if the names then still occur twice.
 void add_groups(const std::vector<std::string>& lines, char separator,
                 std::vector<std::string>& names);
 

@@ -112,7 +112,7 @@ std::string rows_in(const Json& object, int levels) {
 
 }  // namespace
 
-std::optional<Input> rows_of_object(const Input& input) {
+std::optional<JsonRows> rows_of_object(const Input& input) {
   constexpr std::size_t most = std::size_t{64} << 20;
   if (input.size() > most) return std::nullopt;
   std::string text(input.size(), '\0');
@@ -123,7 +123,11 @@ std::optional<Input> rows_of_object(const Input& input) {
   if (!object.is_object()) return std::nullopt;
   auto rows = std::make_shared<std::string>(rows_in(object, most_levels));
   if (rows->empty()) return std::nullopt;
-  return Input(input.name(), std::shared_ptr<const std::string>(std::move(rows)));
+  JsonRows converted{{input.name(), std::shared_ptr<const std::string>(std::move(rows))}, {}};
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number()) converted.preamble.push_back(fmt::format("{}: {}", name, value.dump()));
+  }
+  return converted;
 }
 
 }  // namespace twrench::table

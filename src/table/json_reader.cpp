@@ -47,7 +47,8 @@ void JsonReader::open_rows() {
   auto rows = rows_of_object(input_);
   if (!rows && error) throw system::FileError(*error);
   if (!rows) return;
-  input_ = std::move(*rows);
+  input_ = std::move(rows->rows);
+  header_.preamble = std::move(rows->preamble);
   is_converted_ = true;
   find_rows();
 }

@@ -212,7 +212,7 @@ TEST(Rates, OfBetaflightAreInDegrees) {
   EXPECT_EQ(unit_in({"time", "gyroADC[0]", "gyroADC[1]", "gyroADC[2]"}), RateUnit::deg_s);
 }
 
-TEST(Quaternions, MayHaveMarksAndFrames) {
+TEST(Attitudes, MayHaveMarksAndFrames) {
   for (const char* names : {"motionQuaternion?(R)", "q_B_I_?", "ori_?", "rot_?"}) {
     const auto name = [&](char component) {
       std::string text = names;
@@ -221,6 +221,13 @@ TEST(Quaternions, MayHaveMarksAndFrames) {
     };
     EXPECT_THAT(readings_of({"t", name('W'), name('X'), name('Y'), name('Z')}), SizeIs(1)) << names;
   }
+  EXPECT_THAT(readings_of({"t", "Mat[1][1]", "Mat[1][2]", "Mat[1][3]", "Mat[2][1]", "Mat[2][2]",
+                           "Mat[2][3]", "Mat[3][1]", "Mat[3][2]", "Mat[3][3]"}),
+              SizeIs(1));
+  EXPECT_THAT(readings_of({"t", "AngleX(deg)", "AngleY(deg)", "AngleZ(deg)"}), SizeIs(6));
+  EXPECT_THAT(
+      readings_of({"t", "quaternions[0]", "quaternions[1]", "quaternions[2]", "quaternions[3]"}),
+      SizeIs(2));
   EXPECT_THAT(readings_of({"t", "q_r", "q_i", "q_j", "q_k"}),
               ElementsAre("t=t,qw=q_r,qx=q_i,qy=q_j,qz=q_k"));
 }

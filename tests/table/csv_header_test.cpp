@@ -109,6 +109,10 @@ TEST(CsvHeader, MayHaveGroupsOfColumnsAbove) {
   EXPECT_THAT(units_of(vicon + "1,0,1,2,3\n2,0,1,2,3\n"), ElementsAre("", "", "rad", "rad", "rad"));
   EXPECT_THAT(names_of("50\n,A,,B,\nFrame,RX,RY,RX,RY\n", "1,1,2,3,4\n2,1,2,3,4\n"),
               ElementsAre("Frame", "A: RX", "A: RY", "B: RX", "B: RY"));
+  EXPECT_THAT(
+      names_of(",Name,A,A,B,B\n,,Turn,Shift,Turn,Shift\nFrame,Time,X,X,X,X\n",
+               "1,1,2,3,4,5\n2,1,2,3,4,5\n"),
+      ElementsAre("Frame", "Time", "A: Turn: X", "A: Shift: X", "B: Turn: X", "B: Shift: X"));
   EXPECT_THAT(names_of("Version,1.23,Rate,50.0,Type,Quaternion,Unit,m,More,1,2\n\n"
                        ",ID,1,1,1,1\n,,Rotation,Rotation,Position,Error\nFrame,Time,X,Y,X,\n",
                        "0,0,1,2,3,4\n1,1,1,2,3,4\n"),

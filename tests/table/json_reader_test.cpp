@@ -125,6 +125,12 @@ TEST(JsonObject, HasItsRowsInAnyMember) {
             (std::vector<std::string>{"t", "q[0]", "q[1]"}));
 }
 
+TEST(JsonObject, StatesNumbersBesideItsRows) {
+  const std::string text = R"({"fps": 50, "by": "me", "frames": [{"frame": 0}, {"frame": 1}]})";
+  EXPECT_EQ(open_table("run", std::string_view(text))->header().preamble,
+            std::vector<std::string>{"fps: 50"});
+}
+
 TEST(JsonObject, NamesTheRowOfAMistake) {
   EXPECT_THAT(table_error_of(R"({"t": [0, 1], "w": [3, "x"]})"),
               testing::HasSubstr("run: row 2: the column 'w': 'x' is no number"));

@@ -35,7 +35,7 @@ std::optional<std::pair<std::size_t, std::size_t>> indices_of(const Words& words
 
 bool are_of_matrix(const Words& words) {
   return !words.empty() &&
-         has_only(words, {"x", "r", "t", "rot", "rotation", "dcm", "m", "c", "a", "matrix",
+         has_only(words, {"x", "r", "t", "rot", "mat", "rotation", "dcm", "m", "c", "a", "matrix",
                           "rotmat", "attitude", "att", "orientation", "body"});
 }
 
@@ -76,7 +76,8 @@ void add_euler(const Words& all_words, std::vector<Role>& roles) {
       const auto component = component_of(alphabet, words[i]);
       const bool is_named = is_in({"ypr", "greek", "hpr"}, alphabet.name);
       // Motion capture calls them "Rotation: X", and other attitudes as well.
-      const bool is_rotation = rest == Words{"rotation"} && alphabet.name == "zyx";
+      const bool is_rotation =
+          (rest == Words{"rotation"} || rest == Words{"angle"}) && alphabet.name == "zyx";
       const bool is_known = (is_named || has_any(rest, {"euler", "eul"})) &&
                             has_only(rest, {"euler", "eul", "angle", "angles", "attitude", "att",
                                             "orientation", "body", "ypr", "rpy"});
@@ -101,7 +102,8 @@ void add_quaternion(const Words& all_words, std::vector<Role>& roles) {
   if (words.size() < 2) return;
   const Words rest = without(words, words.size() - 1);
   const List orders{"wxyz", "xyzw"};
-  const List names{"q", "quat", "quaternion", "orientation", "orient", "ori", "attitude", "att"};
+  const List names{"q",        "quat", "quaternion", "orientation", "orient",       "ori",
+                   "attitude", "att",  "quats",      "quaternions", "orientations", "attitudes"};
   const bool is_weak = !has_any(rest, names);
   const bool is_known =
       (!is_weak || has_any(rest, {"rotation", "rot"})) &&

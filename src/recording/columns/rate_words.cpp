@@ -18,9 +18,9 @@ bool is_resolved_in_space(const Words& words) {
 /// Whether the words other than the axis are those of an angular velocity.
 bool are_of_rates(const Words& words) {
   if (words == Words{"w", "a"}) return true;  // Modelica: the body's, about the axes of its frame_a
-  const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates"};
+  const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates", "omegas"};
   const List about{"ang", "angular", "rotation", "rotational"};
-  const List of_motion{"vel", "velocity", "speed", "twist"};
+  const List of_motion{"vel", "velocity", "velocities", "speed", "twist"};
   const List frames{"inertial", "ei", "eci", "earth"};
   const List others{"body", "b", "wrt", "space", "world", "global", "true", "axis"};
   const bool is_in_space = is_resolved_in_space(words);
