@@ -340,9 +340,11 @@ std::unique_ptr<table::Reader> with_derived_times(std::unique_ptr<table::Reader>
 }
 
 table::BadTable unknown_rate(const table::Header& header, const std::string& numbers) {
-  return {header.file,
-          fmt::format("its rows are numbered by {}, but nothing states their rate", numbers),
-          "state it in a comment above the names, such as: # frame rate: 100 Hz"};
+  return {
+      header.file,
+      fmt::format("its rows are numbered by {}, but nothing states their rate", numbers),
+      "state it in a comment above the names, such as '# frame rate: 100 Hz', or name the column "
+      "of the time"};
 }
 
 std::optional<std::size_t> frame_column(const table::Header& header) {
