@@ -83,6 +83,11 @@ std::unique_ptr<Reader> open_format(Input input) {
                             "CSV, TSV, JSON, AEM and NumPy's .npy and .npz are read");
   }
   if (AemReader::recognizes(start)) return std::make_unique<AemReader>(std::move(input), false);
+  if (system::without_byte_order_mark(start).starts_with("CCSDS_")) {
+    throw system::FileError(input.name(),
+                            "the file is a CCSDS message without attitude ephemerides",
+                            "of these, the attitude ephemeris messages (AEM) are read");
+  }
   if (is_of_stk(start)) return std::make_unique<CsvReader>(table_of_stk(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
   return std::make_unique<CsvReader>(std::move(input));

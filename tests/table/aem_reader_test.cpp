@@ -183,6 +183,8 @@ TEST(Aem, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal_of_message(whole.substr(0, whole.size() - 12)),
               HasSubstr("it is cut off: DATA_STOP is missing"));
   EXPECT_THAT(refusal_of_message(message_head), HasSubstr("it has no data"));
+  EXPECT_THAT(refusal_of_message("CCSDS_ACM_VERS = 2.0\n"),
+              HasSubstr("a CCSDS message without attitude ephemerides"));
   EXPECT_THAT(refusal_of_message(message_head + segment(quaternions, "0 0 1")),
               HasSubstr("the row has 4 values, but 5 are due"));
   EXPECT_THAT(refusal_of_message(message_head + segment(quaternions, "0 0 x 1")),
