@@ -18,14 +18,16 @@ namespace twrench::table {
 namespace {
 
 /// A keyword before rows, and the names of their columns. The quaternion turns the axes of
-/// reference into the body's, and the rates are about the body's axes.
+/// reference into the body's, the rates are about the body's axes, and the matrix takes components
+/// in the axes of reference to those in the body's.
 struct Attitudes {
   std::string_view keyword, names;
 };
-constexpr std::array<Attitudes, 3> read_attitudes{
+constexpr std::array<Attitudes, 4> read_attitudes{
     {{"attitudetimequaternions", "t qx qy qz qw"},
      {"attitudetimequatscalarfirst", "t qw qx qy qz"},
-     {"attitudetimequatangvels", "t qx qy qz qw wx_deg_s wy_deg_s wz_deg_s"}}};
+     {"attitudetimequatangvels", "t qx qy qz qw wx_deg_s wy_deg_s wz_deg_s"},
+     {"attitudetimedcm", "t x11 x21 x31 x12 x22 x32 x13 x23 x33"}}};
 
 }  // namespace
 

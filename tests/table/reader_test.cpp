@@ -154,6 +154,9 @@ TEST(StkAttitude, IsATable) {
   EXPECT_EQ(
       read_table(head + "AttitudeTimeQuatAngVels\n0 0 0 0 1 0 0 6\n1 0 0 0 1 0 0 6" + end).names[5],
       "wx_deg_s");
+  EXPECT_EQ(read_table(head + "AttitudeTimeDCM\n0 1 0 0 0 0 1 0 -1 0\n1 1 0 0 0 0 1 0 -1 0" + end)
+                .names[2],
+            "x21");
   EXPECT_THAT(
       file_error_of(head + "AttitudeTimeYPRAngles\n" + rows + end),
       testing::HasSubstr("run:6: its attitudes are AttitudeTimeYPRAngles, which are not read"));
