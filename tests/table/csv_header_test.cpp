@@ -114,7 +114,7 @@ TEST(CsvHeader, MayHaveGroupsOfColumnsAbove) {
                "1,1,2,3,4,5\n2,1,2,3,4,5\n"),
       ElementsAre("Frame", "Time", "A: Turn: X", "A: Shift: X", "B: Turn: X", "B: Shift: X"));
   EXPECT_THAT(names_of("Version,1.23,Rate,50.0,Type,Quaternion,Unit,m,More,1,2\n\n"
-                       ",ID,1,1,1,1\n,,Rotation,Rotation,Position,Error\nFrame,Time,X,Y,X,\n",
+                       ",,1,1,1,1\n,,Rotation,Rotation,Position,Error\nFrame,Time,X,Y,X,\n",
                        "0,0,1,2,3,4\n1,1,1,2,3,4\n"),
               ElementsAre("Frame", "Time", "Rotation: X", "Rotation: Y", "Position: X", ""));
 }
