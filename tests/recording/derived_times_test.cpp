@@ -127,7 +127,8 @@ TEST(DerivedTimes, DividesFramesByTheirStatedRate) {
   const std::string rows = "wx,wy,wz\n7,1,2,3\n8,1,2,3\n10,1,2,3\n";
   for (const char* before :
        {"# Frame rate: 50\nframe,", "// Update Rate: 50.0Hz\nFrame#,", "# fps: 50\nsample,",
-        "DataRate=50.000000\nendheader\nFrame,", "Frame Time: 0.02\nFrame,",
+        "Frame rate: 50 fps 3 cameras\nFrame,", "DataRate=50.000000\nendheader\nFrame,",
+        "Frame Time: 0.02\nFrame,",
         "# data, 50 Hz cutoff frequency 10\n# sampling frequency [Hz]: 50\nPacketCounter,",
         "Capture Frame Rate,100,Export Frame Rate,50.000000\nFrame,",
         "Segments\n50\nFrame,Sub Frame,"}) {
