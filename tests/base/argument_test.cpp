@@ -17,7 +17,7 @@ TEST(Arguments, AreWordedWhereATextMentionsThem) {
 }
 
 TEST(Arguments, LeaveOtherTextsAsTheyAre) {
-  for (const std::string& text :
+  for (const char* const text :
        {"", "no mention", "a\x1f", "\x02", "\x03\x02", "\x02name\x1f", "\x02\x03\x1f"}) {
     EXPECT_EQ(with_arguments(text, as_option), text);
   }

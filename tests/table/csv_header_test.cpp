@@ -100,8 +100,8 @@ TEST(CsvHeader, MayFollowOtherLines) {
 
 // Motion capture has the names of bodies and quantities above those of the columns.
 TEST(CsvHeader, MayHaveGroupsOfColumnsAbove) {
-  const auto names_of = [](const std::string& header, const std::string& rows) {
-    return read_table(header + rows).names;
+  const auto names_of = [](const std::string& header, const std::string& data) {
+    return read_table(header + data).names;
   };
   const std::string vicon = "Segments\n50\n,,body,,\nFrame,Sub Frame,RX,RY,RZ\n,,rad,rad,rad\n";
   EXPECT_THAT(names_of(vicon, "1,0,1,2,3\n2,0,1,2,3\n"),

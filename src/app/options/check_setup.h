@@ -10,6 +10,7 @@
 #include "check/verdict/problem.h"
 #include "recording/conventions/convention.h"
 #include "scene/scene.h"
+#include "system/file_list.h"
 
 namespace twrench::app {
 

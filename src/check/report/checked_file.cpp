@@ -121,7 +121,8 @@ CheckOrders orders_of(const std::vector<CheckedFile>& files, bool has_steps) {
 
 }  // namespace
 
-CheckResult check_files(std::size_t count, const std::function<Recording(std::size_t)>& open,
+CheckResult check_files(std::size_t count,
+                        const std::function<recording::Recording(std::size_t)>& open,
                         const std::vector<double>& steps, const Convention& given,
                         const Problem& problem, const Bounds& bounds) {
   if (!steps.empty() && steps.size() != count) {

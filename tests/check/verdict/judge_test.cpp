@@ -17,6 +17,7 @@
 namespace twrench::check {
 namespace {
 
+using recording::Recording;
 using recording::Row;
 
 using Eigen::Matrix3d;
