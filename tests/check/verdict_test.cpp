@@ -70,5 +70,11 @@ TEST(Verdict, NamesAMistakeBeyondHalfATurn) {
   EXPECT_TRUE(verdict.names_mistake);
 }
 
+// The rates follow no law to within their noise, so the attitude misses more than noise explains.
+TEST(Verdict, BlamesNoAttitudeForRatesThatFollowNoLaw) {
+  const ScratchFolder folder;
+  EXPECT_EQ(verdict_on(wrong_simulation(31001, 572), folder.path()).fault, "");
+}
+
 }  // namespace
 }  // namespace twrench::check

@@ -206,14 +206,18 @@ Explanation Comparer::fitted(const Candidate& candidate) const {
   return found;
 }
 
+/// How many times larger the miss of the right law is than that of noise alone, if the motion
+/// amplifies the noise of the first row of a pair.
+constexpr double about_noise = 3;
+
 /// The explanations that fit about equally well, with the fewest free numbers. None if even the
 /// best explains too little of what the law as read misses: errors of methods look like small
 /// changes of a law, but what a law leaves of them is not far smaller, nor noise.
 std::vector<Explanation> best(std::vector<Explanation> all, const Comparer& precisely,
                               double noise) {
-  constexpr double far_better = 0.01, clearly_better = 0.5, about = 2;
+  constexpr double far_better = 0.01, clearly_better = 0.5;
   const double least = std::ranges::min(all, {}, &Explanation::miss).miss;
-  const bool is_noise = least < about * precisely.miss_of_noise(noise);
+  const bool is_noise = least < about_noise * precisely.miss_of_noise(noise);
   if (!(least < (is_noise ? clearly_better : far_better) * precisely.miss_of_right())) return {};
   // By chance, noise lets the sum of squares, in units of its variance, differ by no more.
   constexpr double as_well = 3, of_methods = 1e-6, of_chance = 30;
@@ -270,9 +274,13 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
   const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
   const Comparer of_attitude(many, attitude, law);
   found.attitude_miss = of_attitude.miss_of_right();
+  // Rates that follow no law let the attitude miss more than noise does.
+  const bool rates_follow = !found.of_rates.empty() || found.rates_miss < good ||
+                            found.rates_miss < about_noise * of_rates.miss_of_noise(noise.rates);
+  const double noise_of_attitude = rates_follow ? noise.attitude + noise.rates : 0;
   if (found.attitude_miss > good) {
     found.of_attitude = explanations(Comparer(few, attitude, law), of_attitude,
-                                     candidates_for_attitude(scales), noise.attitude + noise.rates);
+                                     candidates_for_attitude(scales), noise_of_attitude);
   }
   return found;
 }
