@@ -183,6 +183,33 @@ def test_the_check_says_what_the_table_says(mistake: str) -> None:
     assert [one["mistake"] for one in found.details["mistakes"]] == [name]
 
 
-def test_the_right_motion_has_no_mistake() -> None:
-    found = twrench.check(simulated(), twrench.Body(inertia=MOMENTS))
+OF_RATES = [row[0] for row in table() if row[2] != "attitude_factor"][:15]
+
+
+@pytest.mark.parametrize("mistake", OF_RATES)
+def test_attitudes_alone_show_mistakes_in_the_law_of_the_rates(mistake: str) -> None:
+    ((_, sentence, name),) = [row for row in table() if row[0] == mistake]
+    make, inertia = MOTIONS[mistake]
+    motion = make()
+    del motion["omega"]
+    found = twrench.check(motion, twrench.Body(inertia=inertia))
+    assert sentence.removesuffix(" rad/s") in found.verdict
+    assert [one["mistake"] for one in found.details["mistakes"]] == [name]
+
+
+@pytest.mark.parametrize("factor", [2, 0.5, -1])
+def test_attitudes_alone_do_not_distinguish_two_factors(factor: float) -> None:
+    motion = turned(factor)
+    del motion["omega"]
+    verdict = twrench.check(motion, twrench.Body(inertia=MOMENTS)).verdict
+    assert "the gyroscopic term" in verdict
+    assert f"or, which is the same motion, the attitude turns {factor:g} times as fast" in verdict
+
+
+@pytest.mark.parametrize("has_rates", [True, False])
+def test_the_right_motion_has_no_mistake(has_rates: bool) -> None:
+    motion = simulated()
+    if not has_rates:
+        del motion["omega"]
+    found = twrench.check(motion, twrench.Body(inertia=MOMENTS))
     assert found.finding == "integration" and not found.details["mistakes"], found.verdict

@@ -1,5 +1,6 @@
 #include "check/hypotheses/hypotheses.h"
 
+#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "check/hypotheses/changed_rows.h"
 #include "check/hypotheses/other_conventions.h"
+#include "check/law/attitude_rates.h"
 #include "check/law/mistakes.h"
 #include "check/verdict/fit.h"
 #include "check/verdict/stop.h"
@@ -309,28 +311,52 @@ std::vector<Row> spread_rows(const Recording& recording, const Problem& problem,
                              const Convention& convention) {
   recording::ThinnedRows thinned(most_fitted_rows);
   recording::RowReader reader = recording.rows(convention);
-  Row row;
+  Row row, before;
   double speed = 0;
   while (reader.next(row)) {
     throw_if_stopped(problem.stop);
     thinned.add(row);
-    speed = std::max(speed, row.omega.norm());
+    const bool is_implied = !reader.has_rates() && row.number > 1;
+    speed = std::max(speed, is_implied
+                                ? so3::log(before.X.transpose() * row.X).norm() / (row.t - before.t)
+                                : row.omega.norm());
+    before = row;
   }
   const double turn = speed * row.t / static_cast<double>(thinned.rows().size());
   return turn < 1 ? thinned.rows() : beginning(recording, convention, most_fitted_rows);
 }
 
-RelativeNoise relative_noise(const Judgement& judgement) {
-  return {judgement.noise.rate / judgement.reference.body.omega().norm(), judgement.noise.attitude};
+RowParts parts_of(const Judgement& judgement) {
+  if (!judgement.has_attitude) return RowParts::rates;
+  return judgement.has_rates ? RowParts::both : RowParts::attitude;
+}
+
+/// Rows to which laws are fitted, and their noise.
+struct LawRows {
+  std::vector<Row> rows;
+  RelativeNoise noise;
+};
+
+/// Spread rows in a convention, with the rates of the attitude if there are no others.
+LawRows law_rows(const Recording& recording, const Problem& problem, const Convention& convention,
+                 const Judgement& judgement) {
+  std::vector<Row> rows = spread_rows(recording, problem, convention);
+  const Noise& noise = judgement.noise;
+  if (judgement.has_rates) {
+    const double speed = judgement.reference.body.omega().norm();
+    return {std::move(rows), {noise.rate / speed, noise.attitude}};
+  }
+  const double error = std::max(noise.attitude, judgement.digits.attitude);
+  RowsWithRates derived = with_rates_of_attitude(rows, error);
+  const bool is_noise = noise.attitude > 0;
+  return {std::move(derived.rows), {is_noise ? derived.noise : 0, noise.attitude}};
 }
 
 /// The wrong laws that the rows follow as they are read.
 WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judgement& judgement) {
-  constexpr std::size_t enough = 8;
-  const bool is_at_rest = judgement.reference.body.omega().norm() == 0;
-  if (!judgement.has_rates || judgement.rows < enough || is_at_rest) return {};
-  return wrong_laws(problem.inertia, spread_rows(recording, problem, judgement.convention),
-                    judgement.has_attitude, relative_noise(judgement));
+  if (judgement.reference.body.omega().norm() == 0) return {};
+  const LawRows law = law_rows(recording, problem, judgement.convention, judgement);
+  return wrong_laws(problem.inertia, law.rows, parts_of(judgement), law.noise);
 }
 
 /// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
@@ -339,13 +365,12 @@ WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judg
 void remove_partial_fits(Alternatives& found, const Recording& recording, const Problem& problem,
                          const Judgement& judgement, double miss_of_law) {
   const double speed = judgement.reference.body.omega().norm();
-  if (!judgement.has_rates || speed == 0) return;
-  const RelativeNoise noise = relative_noise(judgement);
+  if (speed == 0) return;
   const double digits = judgement.digits.rate / speed + judgement.digits.attitude;
   const auto is_partial = [&](const Reading& reading) {
-    const double miss =
-        largest_miss(problem.inertia, spread_rows(recording, problem, reading.convention),
-                     judgement.has_attitude, noise);
+    const auto [rows, noise] = law_rows(recording, problem, reading.convention, judgement);
+    if (rows.empty()) return false;
+    const double miss = largest_miss(problem.inertia, rows, parts_of(judgement), noise);
     constexpr double worse = 1.1, of_methods = 1e-4, far_worse = 20, round_off = 1e-8;
     if (miss > std::max(worse * miss_of_law, of_methods)) return true;
     if (miss > far_worse * miss_of_law + round_off) return true;

@@ -108,6 +108,11 @@ Quaterniond with_grown_angles(const Law& law, const Quaterniond& X, const Vector
 
 }  // namespace
 
+Vector3d rotation_vector(const Quaterniond& q) {
+  const Eigen::AngleAxisd turn(q);
+  return turn.angle() * turn.axis();
+}
+
 State state_of(const recording::Row& row) { return {row.omega, Quaterniond(row.X).normalized()}; }
 
 State advanced(const Law& law, const State& from, double time, double step) {

@@ -45,6 +45,9 @@ struct State {
   Eigen::Quaterniond X;   ///< space_from_body
 };
 
+/// The rotation vector of a rotation, at most half a turn.
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& q);
+
 /// The state of a row.
 State state_of(const recording::Row& row);
 

@@ -16,7 +16,6 @@ using recording::Row;
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -60,12 +59,6 @@ Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
     pairs.times.push_back(to.t - from.t);
   }
   return pairs;
-}
-
-/// The rotation vector of a rotation, at most half a turn.
-Vector3d rotation_vector(const Quaterniond& q) {
-  const Eigen::AngleAxisd turn(q);
-  return turn.angle() * turn.axis();
 }
 
 /// The difference between a law and the second row of a pair.
@@ -253,8 +246,10 @@ constexpr double good = 1e-4;
 
 }  // namespace
 
-WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, RowParts parts,
                      const RelativeNoise& noise) {
+  constexpr std::size_t enough = 8;
+  if (rows.size() < enough) return {};
   const Pairs few = pairs_of(rows, noise.rates, rough);
   const Pairs many = pairs_of(rows, noise.rates, precise);
   const RowScales& scales = many.scales;
@@ -266,11 +261,12 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
   WrongLaws found;
   found.rates_miss = of_rates.miss_of_right();
   if (found.rates_miss > good) {
-    found.of_rates = explanations(Comparer(few, rates_of(many), right), of_rates,
-                                  candidates_for_rates(inertia, scales, has_attitude), noise.rates);
+    found.of_rates =
+        explanations(Comparer(few, rates_of(many), right), of_rates,
+                     candidates_for_rates(inertia, scales, parts != RowParts::rates), noise.rates);
   }
   found.attitude_miss = 0;
-  if (!has_attitude) return found;
+  if (parts != RowParts::both) return found;
   const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
   const Comparer of_attitude(many, attitude, law);
   found.attitude_miss = of_attitude.miss_of_right();
@@ -285,12 +281,12 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, bool ha
   return found;
 }
 
-double largest_miss(const Matrix3d& inertia, std::span<const Row> rows, bool has_attitude,
+double largest_miss(const Matrix3d& inertia, std::span<const Row> rows, RowParts parts,
                     const RelativeNoise& noise) {
   const Pairs pairs = pairs_of(rows, noise.rates, precise);
   const Law right{.inertia = inertia};
   const double of_rates = Comparer(pairs, rates_of(pairs), right).miss_of_right();
-  if (!has_attitude) return of_rates;
+  if (parts != RowParts::both) return of_rates;
   return std::max(of_rates, Comparer(pairs, attitude, right).miss_of_right());
 }
 

@@ -62,14 +62,18 @@ struct RelativeNoise {
   double attitude;  ///< rad
 };
 
+/// The quantities that rows have. The rates of `attitude` are those of RowsWithRates.
+enum class RowParts { rates, attitude, both };
+
 /// Fits each wrong law to pairs of rows that are spread over all rows: the state of the first row
-/// of a pair must lead to that of the second. Tries nothing if all rates are zero, or if the body
-/// turns by more than two radians between rows, because no law can be recognised then.
+/// of a pair must lead to that of the second. Tries nothing if there are few rows, if all rates
+/// are zero, or if the body turns by more than two radians between rows, because no law can be
+/// recognised then.
 WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
-                     bool has_attitude, const RelativeNoise& noise);
+                     RowParts parts, const RelativeNoise& noise);
 
 /// The larger one of the misses of the motion of a free body, as in WrongLaws.
 double largest_miss(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
-                    bool has_attitude, const RelativeNoise& noise);
+                    RowParts parts, const RelativeNoise& noise);
 
 }  // namespace twrench::check

@@ -44,6 +44,15 @@ std::string factor_text(const Explanation& explanation) {
   return factor < 1 ? "the gyroscopic term is halved" : "the gyroscopic term is doubled";
 }
 
+/// What attitudes alone do not distinguish from a factor of the gyroscopic term.
+std::string same_text(const Judgement& judgement, const Explanation& explanation) {
+  const double factor = explanation.value[0];
+  if (judgement.has_rates || factor == 0) return {};
+  return fmt::format(
+      ", or, which is the same motion, the attitude turns {:.6g} times as fast as it should",
+      1 / factor);
+}
+
 std::string division_text(const Explanation& explanation, const char* how) {
   std::string text = fmt::format("the gyroscopic term is {}", how);
   if (explanation.free_numbers > 0)
@@ -127,7 +136,7 @@ std::string cause_text(const Judgement& judgement, const Explanation& explanatio
   const Law& law = explanation.law;
   switch (explanation.mistake) {
     case Mistake::gyroscopic_factor:
-      return factor_text(explanation);
+      return factor_text(explanation) + same_text(judgement, explanation);
     case Mistake::undivided:
       return division_text(explanation, "not divided by the moments");
     case Mistake::multiplied:
@@ -177,8 +186,10 @@ std::string text_of(const Judgement& judgement, const std::vector<Explanation>& 
 
 std::string law_text(const Judgement& judgement, const WrongLaws& laws) {
   std::vector<std::string> texts;
-  for (const std::string& text : {text_of(judgement, laws.of_rates, "the rates agree"),
-                                  text_of(judgement, laws.of_attitude, "the attitude agrees")}) {
+  for (const std::string& text :
+       {text_of(judgement, laws.of_rates,
+                judgement.has_rates ? "the rates agree" : "the rates of the attitude agree"),
+        text_of(judgement, laws.of_attitude, "the attitude agrees")}) {
     if (!text.empty()) texts.push_back(text);
   }
   constexpr double much = 0.05;

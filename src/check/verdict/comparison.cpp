@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace twrench::check {
 namespace {
@@ -90,6 +91,9 @@ void Comparison::compare_attitude(const Row& row, const motion::Sample& exact, S
   span.attitude_error = error.norm();
   span.rodrigues_length = row.rodrigues_length;
   add_to(attitude_, span.attitude_error, error.squaredNorm(), row.t);
+  // The rotation vector of an error jumps where it passes half a turn: that is no noise.
+  if ((error - last_attitude_error_).norm() > std::numbers::pi) attitude_table_ = {};
+  last_attitude_error_ = error;
   span.attitude_differences = attitude_table_.add(row.t, error).value_or(DifferenceSums());
   times_squared_ += t * t;
   times_errors_ += t * error;

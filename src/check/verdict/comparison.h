@@ -90,6 +90,7 @@ class Comparison {
   double momentum_drift_ = 0, momentum_error_ = 0, direction_drift_ = 0, orthogonality_error_ = 0;
   double largest_rate_ = 0, largest_acceleration_ = 0, accumulated_ = 0;
   double times_squared_ = 0, errors_squared_ = 0;
+  Eigen::Vector3d last_attitude_error_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d times_errors_ = Eigen::Vector3d::Zero();
   DifferenceTable rate_table_, attitude_table_;
   ErrorHistory course_;

@@ -32,7 +32,7 @@ TEST(Law, IsThatOfAFreeBodyByDefault) {
 }
 
 TEST(WrongLaws, AreNoneOfTheRightMotion) {
-  const WrongLaws found = wrong_laws(inertia, exact_rows(), true, no_noise);
+  const WrongLaws found = wrong_laws(inertia, exact_rows(), RowParts::both, no_noise);
   EXPECT_LT(found.rates_miss, 1e-8);
   EXPECT_LT(found.attitude_miss, 1e-8);
   EXPECT_THAT(found.of_rates, IsEmpty());
@@ -57,7 +57,8 @@ TEST(WrongLaws, HaveTheirNumbers) {
   Law law{.inertia = inertia};
   law.body_torque = Vector3d(0.02, -0.01, 0.03);
   law.attitude_factor = 2;
-  const WrongLaws found = wrong_laws(inertia, rows_of_law(law, 200, 0.05), true, no_noise);
+  const WrongLaws found =
+      wrong_laws(inertia, rows_of_law(law, 200, 0.05), RowParts::both, no_noise);
   ASSERT_THAT(found.of_rates, SizeIs(1));
   EXPECT_EQ(found.of_rates[0].mistake, Mistake::body_torque);
   EXPECT_LT((found.of_rates[0].law.body_torque - law.body_torque).norm(), 1e-8);
@@ -72,7 +73,7 @@ TEST(WrongLaws, OfFewRowsAreFound) {
   Law law{.inertia = inertia};
   law.speed_limit = 0.995 * omega.norm();
   const std::vector<Row> rows = rows_of_law(law, 400, 0.05);
-  const WrongLaws found = wrong_laws(inertia, rows, true, no_noise);
+  const WrongLaws found = wrong_laws(inertia, rows, RowParts::both, no_noise);
   ASSERT_THAT(found.of_rates, SizeIs(1));
   EXPECT_EQ(found.of_rates[0].mistake, Mistake::speed_limit);
   EXPECT_NEAR(found.of_rates[0].value[0], law.speed_limit, 1e-6);
@@ -86,7 +87,7 @@ TEST(WrongLaws, ThatNoiseHidesFromEachOtherAreAllFound) {
   constexpr double size = 1e-3;
   SceneDice dice(1, 1);
   for (Row& row : rows) row.omega += std::sqrt(3) * size * omega.norm() * dice.vector(-1, 1);
-  const WrongLaws found = wrong_laws(right, rows, true, {size, size});
+  const WrongLaws found = wrong_laws(right, rows, RowParts::both, {size, size});
   const auto is_found = [&](Mistake mistake) {
     return std::ranges::any_of(found.of_rates, [=](auto& one) { return one.mistake == mistake; });
   };
@@ -109,7 +110,8 @@ TEST(Candidates, AreAllMistakes) {
 // A fit between such rows would take minutes and mean nothing.
 TEST(WrongLaws, AreNotTriedIfRowsAreFarApart) {
   const std::vector<Row> rows = exact_rows(100, 10);
-  const WrongLaws found = wrong_laws(Vector3d(4, 3, 2).asDiagonal(), rows, true, no_noise);
+  const WrongLaws found =
+      wrong_laws(Vector3d(4, 3, 2).asDiagonal(), rows, RowParts::both, no_noise);
   EXPECT_THAT(found.of_rates, IsEmpty());
   EXPECT_FALSE(std::isfinite(found.rates_miss));
 }
