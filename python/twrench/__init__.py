@@ -7,7 +7,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0 unless an ``attit
 from . import plots
 from ._native import version as __version__
 from .body import Body, InSI, Stability
-from .check import Check, CheckOrder, Checks, ErrorSize, check
+from .check import Check, CheckOrder, Checks, ErrorSize, Recording, check
 from .compare import Comparison, FrameComparison, compare
 from .errors import (
     EncoderError,
@@ -33,7 +33,6 @@ from .motion import (
     simulate,
 )
 from .published import case, cases
-from .recording import Recording
 from .scene import Scene, scenes, schema
 from .several import plot, report
 from .site import pages

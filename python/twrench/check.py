@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Literal, Mapping, Sequence, TypeVar, Union, overload
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _arguments, _native
 from ._arguments import Array
@@ -21,19 +22,140 @@ from .recording import (
     Data,
     RateAxes,
     RateUnit,
-    Recording,
     Source,
     TimeUnit,
     convention_of,
     source_of,
 )
 
-__all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "check"]
+__all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "Recording", "check"]
 
 FrameSource = Literal["first", "momentum"]
 Finding = Literal[
     "exact", "noise", "convention", "start", "body", "law", "inconsistent", "integration"
 ]
+
+
+class Recording:
+    """A recorded motion at n times: rates, attitudes or both.
+
+    :meth:`read` makes one of a file or of columns in any convention; the constructor takes arrays in
+    twrench's. :func:`check` and :meth:`check` judge it.
+
+    :param t: times in s, (n,), ascending.
+    :param omega: angular velocities in body axes in rad/s, (n, 3); None if there are none.
+    :param X: attitudes space_from_body, (n, 3, 3); None if there are none.
+    :param quaternion_wxyz: the attitudes as quaternions (w, x, y, z), (n, 4), instead of ``X``.
+    :raises UsageError: for arrays of another shape, or a row that is no motion.
+    """
+
+    #: Times in s, (n,): as given to the constructor, or since the first row.
+    t: Array
+    #: Angular velocities in body axes in rad/s, (n, 3); None if there are none.
+    omega: Array | None
+    #: Attitudes space_from_body, (n, 3, 3); None if there are none. Quaternions are normalised.
+    X: Array | None
+    #: Time of the first row on the clock of a file in s; 0 for arrays.
+    start: float
+
+    def __init__(
+        self,
+        t: ArrayLike,
+        omega: ArrayLike | None = None,
+        X: ArrayLike | None = None,
+        *,
+        quaternion_wxyz: ArrayLike | None = None,
+    ) -> None:
+        if X is not None and quaternion_wxyz is not None:
+            raise UsageError("quaternion_wxyz: X gives the attitudes already", "give one of the two")
+        times = _arguments.array("t", t, (None,), "a one-dimensional array of times in s")
+        if not len(times):
+            raise UsageError("t: must have at least one time")
+        columns: dict[str, Array] = {"t": times}
+        parts: list[tuple[str, ArrayLike | None, tuple[int, ...], str]] = [
+            ("omega", omega, (3,), "wx wy wz"),
+            ("X", X, (3, 3), "x11 x12 x13 x21 x22 x23 x31 x32 x33"),
+            ("quaternion_wxyz", quaternion_wxyz, (4,), "qw qx qy qz"),
+        ]
+        for name, value, shape, ours in parts:
+            if value is None:
+                continue
+            form = f"an array of shape ({len(times)}, {', '.join(map(str, shape))})"
+            rows = _arguments.array(name, value, (len(times), *shape), form)
+            columns |= zip(ours.split(), rows.reshape(len(times), -1).T)
+        if len(columns) == 1:
+            raise UsageError("Recording: must have omega, X or quaternion_wxyz")
+        self._source: Source = ("recording", list(columns.items()))
+        self._convention: Convention = {}
+        self._read(None)
+        self.t, self.start = times, 0.0
+
+    @classmethod
+    def read(
+        cls,
+        data: Data,
+        body: Body | None = None,
+        *,
+        columns: Mapping[str, str] | Sequence[str] | None = None,
+        time_unit: TimeUnit | None = None,
+        units: RateUnit | None = None,
+        angle_units: AngleUnit | None = None,
+        sequence: str | None = None,
+        inverse: bool = False,
+        rates: RateAxes = "body",
+        axes: str | None = None,
+        offset: Numbers | None = None,
+    ) -> Recording:
+        """Reads a file or columns.
+
+        :param data: what :func:`check` takes: a file, a motion or columns. The arguments ``columns``,
+            ``time_unit``, ``units``, ``angle_units``, ``sequence``, ``inverse``, ``rates``, ``axes``
+            and ``offset`` are those of :func:`check`, too.
+        :param body: the body. It decides where the names of columns leave several readings, and
+            turns angular momentum into rates.
+        :raises UsageError: for a wrong argument, or data that can be read in several ways.
+        :raises FileError: if a file cannot be read or is not a table.
+        """
+        convention, of_array = convention_of(
+            columns, time_unit, units, angle_units, sequence, inverse, rates, axes, offset
+        )
+        recording = cls.__new__(cls)
+        recording._source = source_of("data", data, of_array)
+        recording._convention = convention
+        recording._read(None if body is None else _arguments.instance("body", body, Body))
+        return recording
+
+    def _read(self, body: Body | None) -> None:
+        inertia = None if body is None else body.inertia
+        self.start, self.t, omega, X = _native.read_recording(self._source, self._convention, inertia)
+        self.omega = omega if len(omega) else None
+        self.X = X.reshape(-1, 3, 3) if len(X) else None
+
+    @property
+    def quaternion_wxyz(self) -> Array | None:
+        """X as unit quaternions (w, x, y, z), (n, 4); None if there are no attitudes.
+
+        The sign of each quaternion is the one nearer to the previous row.
+        """
+        return None if self.X is None else np.roll(_native.quaternions(self.X), 1, axis=-1)
+
+    def check(self, body: Body | None = None, **options: Any) -> Check:
+        """Compares it with the exact motion, with the digits of the data that it was read from.
+
+        :param body: the body, unless ``case`` gives it.
+        :param options: those of :func:`check` that are not about how data are read.
+        """
+        return check(self, body, **options)
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        parts = [("rates", self.omega), ("attitudes", self.X)]
+        names = " and ".join(name for name, part in parts if part is not None)
+        return f"<twrench.Recording: {len(self)} rows of {names}, {np.ptp(self.t):g} s>"
+
+
 #: What can be judged.
 Recorded = Union[Recording, Data]
 R = TypeVar("R", bound=Recorded)
