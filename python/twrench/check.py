@@ -392,7 +392,7 @@ def check(
         raise UsageError("data: must have at least one recording")
     lengths = [] if steps is None else _step_sizes(steps, len(recordings))
     sources = [_source_of(*named, of_array) for named in zip(names, recordings)]
-    if isinstance(recordings[0], Recording):
+    if any(isinstance(recording, Recording) for recording in recordings):
         convention = _convention_of_read(recordings, convention)
     figure = None
     if plot is not None:
@@ -445,13 +445,16 @@ def _source_of(name: str, data: Any, of_array: list[Any] | None) -> Source:
 
 
 def _convention_of_read(recordings: list[Any], given: Convention) -> Convention:
-    """The convention of recordings that were read already."""
+    """The convention of recordings of which some were read already."""
     if given:
         raise UsageError(f"{next(iter(given))}: the recording was read already", "leave it out")
-    found: Convention = recordings[0]._convention
-    for recording in recordings:
-        if not isinstance(recording, Recording) or repr(recording._convention) != repr(found):
-            raise UsageError("data: the recordings were read in different ways", "check each alone")
+    conventions = [
+        recording._convention if isinstance(recording, Recording) else given
+        for recording in recordings
+    ]
+    if len(set(map(repr, conventions))) != 1:
+        raise UsageError("data: the recordings were read in different ways", "check each alone")
+    found: Convention = conventions[0]
     return found
 
 

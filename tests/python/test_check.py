@@ -262,3 +262,5 @@ def test_a_recording_is_read_once():
         twrench.check(recording, BODY, units="rad")
     with pytest.raises(twrench.UsageError, match="read in different ways"):
         twrench.check([recording, twrench.Recording.read(rows(), columns=NAMES)], BODY)
+    with pytest.raises(twrench.UsageError, match="read in different ways"):
+        twrench.check([columns_of(rows()), recording], BODY)
