@@ -5,10 +5,12 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -97,16 +99,21 @@ bool is_usual_order(const table::Header& header, const std::vector<Convention>& 
          without_quaternion(open[0]) == without_quaternion(open[1]);
 }
 
+/// Whether all conventions agree with this one in the fields that have other names.
+bool differ_only_in(std::initializer_list<std::string_view> names,
+                    const std::vector<Convention>& open, const Convention& one) {
+  return std::ranges::all_of(recording::convention_fields(), [&](const recording::Field& field) {
+    return std::ranges::find(names, field.name) != names.end() ||
+           std::ranges::all_of(open,
+                               [&](const Convention& other) { return agree(field, other, one); });
+  });
+}
+
 /// Whether the conventions differ only in the sequence of Euler angles, or in their unit if their
 /// size leaves it open, and this one has the usual sequence.
 bool is_usual_sequence(const std::vector<Convention>& open, const Convention& one) {
-  const auto differs_otherwise = [&](Convention other) {
-    other.sequence = one.sequence;
-    other.angle_unit = one.angle_unit;
-    return !changing_arguments(one, other).empty();
-  };
   return attitude_form(one) == AttitudeForm::euler && one.sequence == "zyx" &&
-         std::ranges::none_of(open, differs_otherwise);
+         differ_only_in({"sequence", "angle_units"}, open, one);
 }
 
 /// Whether the others are Euler angles in the columns of a rotation vector, as RX, RY and RZ are
@@ -120,12 +127,10 @@ bool is_usual_vector(const std::vector<Convention>& open, const Convention& one)
 
 /// The convention with times in s, if only the unit of times is open.
 std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
-  const bool is_unit_alone = std::ranges::all_of(open, [&](Convention convention) {
-    convention.time_unit = open.front().time_unit;
-    return changing_arguments(open.front(), convention).empty();
-  });
-  if (!is_unit_alone || time_unit(open.front()) != recording::TimeUnit::s) return std::nullopt;
-  return open.front();
+  const Convention& first = open.front();
+  const bool is_unit_alone = differ_only_in({"time_unit"}, open, first);
+  return is_unit_alone && time_unit(first) == recording::TimeUnit::s ? std::optional(first)
+                                                                     : std::nullopt;
 }
 
 InvalidArgument ambiguous(const table::Header& header, const std::vector<Convention>& open,
