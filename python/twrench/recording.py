@@ -1,4 +1,4 @@
-"""What can be read as a recorded motion: files, arrays and data frames, and their conventions."""
+"""The sources of recorded motions: files, arrays and data frames, and their conventions."""
 
 from __future__ import annotations
 

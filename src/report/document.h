@@ -63,7 +63,7 @@ inline constexpr Phrase figure_number{"Figure {}.", "Figur {}."};
 
 /// A report, independent of the format of its file.
 struct Document {
-  Language language = Language::en;  ///< Of all its texts.
+  Language language = Language::en;  ///< The language of all its texts.
   std::string title;
   std::string author;   ///< May be empty.
   std::string date;     ///< May be empty.

@@ -21,7 +21,7 @@ struct AemValue {
   double sign = 1, offset = 0;  ///< the table has offset + sign * value
 };
 
-/// What the metadata state about the rows.
+/// The layout of the rows, as the metadata state it.
 struct AemLayout {
   std::vector<AemValue> values;  ///< after the epoch, in the order of the message
   std::string sequence;          ///< of Euler angles, "zyx"; empty without

@@ -30,7 +30,7 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 
 def product(a: Vector, b: Vector) -> Vector:
-    """Of two quaternions (w, x, y, z)."""
+    """The product of two quaternions (w, x, y, z)."""
     w, v = a[0] * b[0] - a[1:] @ b[1:], a[0] * b[1:] + b[0] * a[1:] + cross(a[1:], b[1:])
     return np.array([w, *v])
 

@@ -44,7 +44,8 @@ std::string factor_text(const Explanation& explanation) {
   return factor < 1 ? "the gyroscopic term is halved" : "the gyroscopic term is doubled";
 }
 
-/// What attitudes alone do not distinguish from a factor of the gyroscopic term.
+/// Names the factor of the attitude that gives the same motion as the factor of the gyroscopic
+/// term, if there are attitudes alone.
 std::string same_text(const Judgement& judgement, const Explanation& explanation) {
   const double factor = explanation.value[0];
   if (judgement.has_rates || factor == 0) return {};

@@ -43,7 +43,7 @@ struct Derived {
   int decimals = 9;  ///< of a fraction
 };
 
-/// A column of numbers that begin anew at 0 after `size - 1`.
+/// A column of numbers that begin again at 0 after `size - 1`.
 struct Counter {
   std::size_t column;
   double size;
@@ -177,7 +177,7 @@ std::vector<Counter> counters_in(const table::Header& header) {
   return counters;
 }
 
-/// Continues the counter where it begins anew.
+/// Continues the counter where it begins again.
 void unwrap(Counter& counter, Number& number) {
   constexpr double most_step_back = 0.5;
   const double value = number.value;

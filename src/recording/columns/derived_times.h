@@ -15,7 +15,7 @@ namespace twrench::recording {
 /// seconds, year to second, or the number of a frame, or of the row in a file without times, and
 /// the rate that a line before the names states. The new column is named "header.stamp.sec +
 /// header.stamp.nanosec" or "frame / 50 Hz" and loses no digits. Its rows throw table::BadTable
-/// unless the parts are whole numbers within their limits. Counters that begin anew after their
+/// unless the parts are whole numbers within their limits. Counters that begin again after their
 /// largest number, such as Xsens' PacketCounter, are continued.
 std::unique_ptr<table::Reader> with_derived_times(std::unique_ptr<table::Reader> table);
 

@@ -117,7 +117,7 @@ struct Field {
   std::function<FieldValue(const Convention&)> value;
   /// Throws InvalidArgument about the argument of this name. Empty if users are not asked.
   std::function<void(Convention&, const FieldValue&)> set;
-  /// Returns the statement of the field, for a person: "the rates are in deg/s".
+  /// Says what the field means, such as "the rates are in deg/s".
   std::function<std::string(const Convention&)> statement;
 };
 
