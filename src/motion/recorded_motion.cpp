@@ -1,0 +1,80 @@
+#include "motion/recorded_motion.h"
+
+#include <twrench/base/error.h>
+#include <twrench/math/so3.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace twrench::motion {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Returns the angular velocity of X_0 exp(hat(u)) in body axes: the inverse of so3::dexpinv. The
+/// difference loses digits of the last coefficient only where the term itself is small.
+Vector3d dexp(const so3::AngleFunctions& f, const Vector3d& u, const Vector3d& rate) {
+  const double square = u.squaredNorm();
+  const double last = square > 0 ? (1 - f.a) / square : 1.0 / 6;
+  return rate - f.b * u.cross(rate) + last * u.cross(u.cross(rate));
+}
+
+Sample sample_of(double t, const RecordedMotion::Instant& instant) {
+  return {t, Eigen::Quaterniond(instant.X).toRotationMatrix(), instant.omega};
+}
+
+}  // namespace
+
+RecordedMotion::RecordedMotion(std::vector<Instant> instants, double longest_step)
+    : instants_(std::move(instants)), longest_step_(longest_step) {
+  if (instants_.size() < 2) {
+    throw InvalidArgument("instants", "fewer than two, which are no motion");
+  }
+  const double start = instants_.front().t;
+  for (Instant& instant : instants_) {
+    instant.t -= start;
+    fastest_rate_ = std::max(fastest_rate_, instant.omega.norm());
+  }
+}
+
+std::size_t RecordedMotion::before(double t) const {
+  const auto later =
+      std::ranges::upper_bound(instants_.begin() + 1, instants_.end() - 1, t, {}, &Instant::t);
+  return static_cast<std::size_t>(later - instants_.begin()) - 1;
+}
+
+bool RecordedMotion::is_gap_after(std::size_t instant) const {
+  return instants_[instant + 1].t - instants_[instant].t > longest_step_;
+}
+
+bool RecordedMotion::is_in_gap(double t) const {
+  const std::size_t first = before(t);
+  return is_gap_after(first) && t > instants_[first].t && t < instants_[first + 1].t;
+}
+
+Sample RecordedMotion::at(double t) const {
+  if (t <= 0) return sample_of(t, instants_.front());
+  if (t >= duration()) return sample_of(t, instants_.back());
+  const std::size_t i = before(t);
+  const Instant &first = instants_[i], &last = instants_[i + 1];
+  if (t == first.t || is_gap_after(i)) return sample_of(t, first);
+  const double length = last.t - first.t, s = (t - first.t) / length;
+  const Eigen::Matrix3d start = Eigen::Quaterniond(first.X).toRotationMatrix();
+  const Vector3d u1 = so3::log(start.transpose() * Eigen::Quaterniond(last.X));
+  const Vector3d rate0 = length * first.omega;
+  const Vector3d rate1 = length * so3::dexpinv(so3::angle_functions(u1), u1, last.omega);
+  // Hermite's polynomial with u(0) = 0.
+  const Vector3d square = 3 * u1 - 2 * rate0 - rate1, cube = rate0 + rate1 - 2 * u1;
+  const Vector3d u = s * (rate0 + s * (square + s * cube));
+  const Vector3d rate = (rate0 + s * (2 * square + 3 * s * cube)) / length;
+  return {t, start * so3::exp(u), dexp(so3::angle_functions(u), u, rate)};
+}
+
+std::vector<Sample> RecordedMotion::samples_at(std::span<const double> times) const {
+  std::vector<Sample> samples;
+  samples.reserve(times.size());
+  for (const double t : times) samples.push_back(at(t));
+  return samples;
+}
+
+}  // namespace twrench::motion

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <twrench/motion/free_body.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+namespace twrench::motion {
+
+/// A motion that is known at some times, with a smooth motion between them.
+///
+/// With X(t) = X_0 exp(hat(u)) between two instants, u is the cubic polynomial in t that gives both
+/// attitudes and both angular velocities: the error of the attitude is of order 4 in their
+/// distance, that of the angular velocity of order 3. Source: Park and Ravani, Smooth invariant
+/// interpolation of rotations, ACM Trans. Graphics 16 (1997), with Hermite's polynomial.
+class RecordedMotion {
+ public:
+  /// The state at one time.
+  struct Instant {
+    double t;                                       ///< s
+    Eigen::Quaternion<double, Eigen::DontAlign> X;  ///< space_from_body, of unit length
+    Eigen::Vector3d omega;                          ///< body axes, rad/s
+  };
+
+  /// `instants` must be in ascending order of time; the first is moved to t = 0. If two are more
+  /// than `longest_step` s apart, nothing is known between them: the body is held in the attitude
+  /// of the earlier one. Throws InvalidArgument about "instants" if there are fewer than two.
+  RecordedMotion(std::vector<Instant> instants, double longest_step);
+
+  /// The time of the last instant in s.
+  double duration() const { return instants_.back().t; }
+
+  /// The largest |omega| of the instants, rad/s.
+  double fastest_rate() const { return fastest_rate_; }
+
+  const std::vector<Instant>& instants() const { return instants_; }
+
+  /// Returns the state at t in s: before the first instant and after the last one, that of the
+  /// instant.
+  Sample at(double t) const;
+
+  /// Returns the states at `times` in s.
+  std::vector<Sample> samples_at(std::span<const double> times) const;
+
+  /// Whether nothing is known at t in s.
+  bool is_in_gap(double t) const;
+
+ private:
+  /// Returns the last instant that is not after t, but not the last of all.
+  std::size_t before(double t) const;
+  bool is_gap_after(std::size_t instant) const;
+
+  std::vector<Instant> instants_;
+  double longest_step_, fastest_rate_ = 0;
+};
+
+}  // namespace twrench::motion

@@ -1,0 +1,185 @@
+// The motion through the rows of a recording, against the exact motion.
+#include "recording/motion_of_rows.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <twrench/base/error.h>
+#include <twrench/math/so3.h>
+#include <twrench/motion/exact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "recording/columns/open_conventions.h"
+
+namespace twrench::recording {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What a recording contains.
+enum class Contents { rates, attitudes, both };
+
+const motion::ExactMotion& tumbling() {
+  static const motion::ExactMotion motion(
+      motion::FreeBody(Vector3d(2, 3, 4.5).asDiagonal(), Vector3d(0.3, 2, 0.4)));
+  return motion;
+}
+
+/// A row with that many digits; `t` is that of the file's clock.
+std::string row_with(Contents columns, const motion::Sample& sample, double t, int digits = 17) {
+  std::string text = fmt::format("{:.17g}", t);
+  const auto add = [&](double value) { text += fmt::format(",{:.{}g}", value, digits); };
+  if (columns != Contents::attitudes) std::ranges::for_each(sample.omega, add);
+  if (columns != Contents::rates) {
+    const auto q = sample.quaternion();
+    for (const double value : {q.w(), q.x(), q.y(), q.z()}) add(value);
+  }
+  return text + "\n";
+}
+
+std::string line_of_names(Contents columns) {
+  switch (columns) {
+    case Contents::rates:
+      return "t,wx,wy,wz\n";
+    case Contents::attitudes:
+      return "t,qw,qx,qy,qz\n";
+    case Contents::both:
+      return "t,wx,wy,wz,qw,qx,qy,qz\n";
+  }
+  return {};
+}
+
+std::string table_of(Contents columns, const std::function<double(int)>& time, int count,
+                     int digits = 17) {
+  std::string text = line_of_names(columns);
+  for (int i = 0; i < count; ++i)
+    text += row_with(columns, tumbling().at(time(i)), time(i) + 100, digits);
+  return text;
+}
+
+MotionOfRows motion_of(const std::string& text, const Extract& extract = {}) {
+  const Recording recording(table::open_table("run.csv", text));
+  return motion_of_rows(recording, conventions(recording.header(), {}).at(0), extract);
+}
+
+/// The largest angle to the exact motion, in rad, over the whole recording.
+double error_of(const MotionOfRows& shown, double start = 0) {
+  constexpr int times = 3571;
+  double error = 0;
+  for (int i = 0; i <= times; ++i) {
+    const double t = shown.motion.duration() * i / times;
+    const Eigen::Matrix3d ought = tumbling().at(start + t).X;
+    error = std::max(error, so3::log(ought.transpose() * shown.motion.at(t).X).norm());
+  }
+  return error;
+}
+
+double error_at_step(Contents columns, double step) {
+  const int count = static_cast<int>(std::lround(20 / step)) + 1;
+  return error_of(motion_of(table_of(
+      columns, [=](int i) { return i * step; }, count)));
+}
+
+TEST(MotionOfRows, HasOrderFour) {
+  for (const Contents columns : {Contents::both, Contents::attitudes, Contents::rates}) {
+    const double coarse = error_at_step(columns, 0.1), fine = error_at_step(columns, 0.05);
+    EXPECT_NEAR(std::log2(coarse / fine), 4, 0.25)
+        << line_of_names(columns) << coarse << " " << fine;
+  }
+}
+
+TEST(MotionOfRows, AgreesWithTheExactMotionWithinTheDigits) {
+  const auto every_20_ms = [](int i) { return 0.02 * i; };
+  EXPECT_LT(error_of(motion_of(table_of(Contents::both, every_20_ms, 1001, 9))), 3e-8);
+  EXPECT_LT(error_of(motion_of(table_of(Contents::attitudes, every_20_ms, 1001, 9))), 3e-8);
+  EXPECT_LT(error_of(motion_of(table_of(Contents::rates, every_20_ms, 1001, 9))), 1e-6);
+}
+
+TEST(MotionOfRows, TakesTimesThatAreNotEvenlySpaced) {
+  const auto uneven = [](int i) { return 0.02 * i + 0.008 * std::sin(double(i)); };
+  for (const Contents columns : {Contents::both, Contents::attitudes, Contents::rates}) {
+    EXPECT_LT(error_of(motion_of(table_of(columns, uneven, 1001))), 1e-6) << line_of_names(columns);
+  }
+}
+
+TEST(MotionOfRows, EstimatesTheDriftOfIntegratedRates) {
+  for (const double step : {0.02, 0.1, 0.3}) {
+    const int count = static_cast<int>(20 / step);
+    const MotionOfRows shown = motion_of(table_of(
+        Contents::rates, [=](int i) { return i * step; }, count));
+    const double t = shown.motion.duration();
+    const double error = so3::log(tumbling().at(t).X.transpose() * shown.motion.at(t).X).norm();
+    EXPECT_GT(shown.drift, error) << step;
+    EXPECT_LT(shown.drift, 40 * error) << step;
+  }
+  EXPECT_EQ(motion_of(table_of(
+                          Contents::both, [](int i) { return 0.1 * i; }, 50))
+                .drift,
+            0);
+}
+
+TEST(MotionOfRows, StartsFromTheGivenAttitude) {
+  const Eigen::Quaterniond start(Eigen::AngleAxisd(1, Vector3d(1, 2, 2) / 3));
+  const std::string text = table_of(
+      Contents::rates, [](int i) { return 0.05 * i; }, 200);
+  const MotionOfRows shown = motion_of(text, {.attitude = start});
+  EXPECT_LT(so3::log((start * tumbling().at(3).X).transpose() * shown.motion.at(3).X).norm(), 1e-5);
+}
+
+TEST(MotionOfRows, CutsAndKeepsTheClock) {
+  const std::string text = table_of(
+      Contents::both, [](int i) { return 0.05 * i; }, 201);
+  const MotionOfRows shown = motion_of(text, {.from = 2, .to = 7});
+  EXPECT_DOUBLE_EQ(shown.clock_start, 102);
+  EXPECT_DOUBLE_EQ(shown.motion.duration(), 5);
+  EXPECT_LT(error_of(shown, 2), 1e-6);
+}
+
+TEST(MotionOfRows, HoldsTheBodyInGaps) {
+  for (const Contents columns : {Contents::both, Contents::attitudes, Contents::rates}) {
+    const auto with_gap = [](int i) { return 0.05 * (i < 100 ? i : i + 10); };
+    const MotionOfRows shown = motion_of(table_of(columns, with_gap, 200));
+    EXPECT_EQ(shown.gaps, 1U);
+    EXPECT_TRUE(shown.motion.is_in_gap(5));
+    EXPECT_EQ(shown.motion.at(5).X, shown.motion.at(4.95 + 1e-9).X);
+    EXPECT_FALSE(shown.motion.is_in_gap(6));
+    // Four intervals are no gap.
+    const auto skipping = [](int i) { return 0.05 * (i < 100 ? i : i + 3); };
+    EXPECT_EQ(motion_of(table_of(columns, skipping, 200)).gaps, 0U);
+  }
+}
+
+std::string why_not_shown(const std::string& text, const Extract& extract = {}) {
+  try {
+    motion_of(text, extract);
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(MotionOfRows, RefusesWhatIsNoMotion) {
+  EXPECT_EQ(why_not_shown("t,wx,wy,wz\n0,1,2,3\n"),
+            "run.csv: 1 row to show, but a motion needs two");
+  const std::string text = table_of(
+      Contents::both, [](int i) { return 0.05 * i; }, 20);
+  EXPECT_EQ(why_not_shown(text, {.from = 5}), "run.csv: 0 rows to show, but a motion needs two");
+  EXPECT_EQ(why_not_shown("t,wx,wy,wz\n0,1,2,3\n0.3,1,2,3\n0.6,12,0,0\n0.9,1,2,3\n"),
+            "run.csv: the body turns by 206 degrees between two rows, 0.3 s after the first row, "
+            "so its way is ambiguous");
+  EXPECT_EQ(why_not_shown("t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.2,0.98,0,0\n2,1,0,0,0\n"),
+            "run.csv: the body turns by 157 degrees between two rows, 0 s after the first row, "
+            "so its way is ambiguous");
+}
+
+TEST(MotionOfRows, ShowsABodyAtRest) {
+  const MotionOfRows shown = motion_of("t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n");
+  EXPECT_EQ(shown.motion.at(0.7).X, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(shown.motion.fastest_rate(), 0);
+}
+
+}  // namespace
+}  // namespace twrench::recording
