@@ -156,14 +156,13 @@ double widest_turn(const Recording& recording, std::span<const Instant> rows, bo
 }  // namespace
 
 MotionOfRows motion_of_rows(const Recording& recording, const Convention& convention,
-                            const Extract& extract) {
+                            const Quaterniond& start) {
   RowReader reader = recording.rows(convention);
   const bool has_rates = reader.has_rates();
   const bool has_attitude = reader.attitude() != AttitudeForm::none;
   std::vector<Instant> rows;
   for (Row row; reader.next(row);) {
-    if (row.t < extract.from || row.t > extract.to) continue;
-    const Quaterniond X = has_attitude ? Quaterniond(row.X).normalized() : extract.attitude;
+    const Quaterniond X = has_attitude ? Quaterniond(row.X).normalized() : start;
     rows.push_back({row.t, X, row.omega});
   }
   if (rows.size() < 2) {
@@ -184,9 +183,8 @@ MotionOfRows motion_of_rows(const Recording& recording, const Convention& conven
     integrate_rates(part);
     drift += drift_of(part);
   }
-  const double clock_start = reader.first_time() + rows.front().t;
   return {.motion = {std::move(rows), longest_step},
-          .clock_start = clock_start,
+          .clock_start = reader.first_time(),
           .has_rates = has_rates,
           .has_attitude = has_attitude,
           .gaps = parts.size() - 1,

@@ -2,22 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <limits>
-#include <optional>
 
 #include "motion/recorded_motion.h"
 #include "recording/conventions/convention.h"
 #include "recording/recording.h"
 
 namespace twrench::recording {
-
-/// The part of a recording to show.
-struct Extract {
-  /// From when and up to when, in s since the first row.
-  double from = 0, to = std::numeric_limits<double>::infinity();
-  /// The attitude of the first row, space_from_body, if the recording has none.
-  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
-};
 
 /// The motion through the rows of a recording.
 struct MotionOfRows {
@@ -32,13 +22,14 @@ struct MotionOfRows {
   double drift = 0;
 };
 
-/// Reads all rows. Rates that are missing follow from up to seven attitudes, to order 6. Attitudes
+/// Reads the rows. `start` is the attitude of the first one, space_from_body, if the recording has
+/// none. Rates that are missing follow from up to seven attitudes, to order 6. Attitudes
 /// that are missing follow from the rates by Magnus' series of order 4 at Gauss' points, between
 /// which four rows are interpolated. Source: Iserles, Munthe-Kaas, Norsett and Zanna, Lie-group
 /// methods, Acta Numerica 9 (2000), section 5. Throws as RowReader does, and InvalidArgument about
 /// the recording if fewer than two rows are shown or the body may turn by more than half a turn
 /// between two rows.
 MotionOfRows motion_of_rows(const Recording& recording, const Convention& convention,
-                            const Extract& extract);
+                            const Eigen::Quaterniond& start = Eigen::Quaterniond::Identity());
 
 }  // namespace twrench::recording

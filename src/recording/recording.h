@@ -10,6 +10,7 @@
 #include "recording/columns/derived_times.h"
 #include "recording/conventions/convention.h"
 #include "recording/row_reader.h"
+#include "recording/rows.h"
 #include "table/reader.h"
 
 namespace twrench::recording {
@@ -32,12 +33,19 @@ class Recording {
   /// Opens a file. Throws what table::open_table throws.
   explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {}
 
+  /// The same recording, of which only these rows are read.
+  Recording between(const Extract& extract) const {
+    Recording part = *this;
+    part.extract_ = extract;
+    return part;
+  }
+
   const table::Header& header() const { return table_->header(); }
   /// The path of the file, or the name that messages give to a table in memory.
   const std::string& name() const { return header().file; }
 
-  /// Begins a pass over all rows, which ends the one before. Throws as RowReader does.
-  RowReader rows(const Convention& convention) const { return {table_, convention}; }
+  /// Begins a pass over the rows, which ends the one before. Throws as RowReader does.
+  RowReader rows(const Convention& convention) const { return {table_, convention, extract_}; }
 
   /// The first rows, up to 4096, with at least these columns. They are read again only for other
   /// columns, which ends a pass over the rows. Throws as table::Reader does.
@@ -45,6 +53,7 @@ class Recording {
 
  private:
   std::shared_ptr<table::Reader> table_;
+  Extract extract_;
   mutable RowSample first_rows_;
 };
 

@@ -130,7 +130,7 @@ double RowDecoder::attitude_unit() const {
 
 void RowDecoder::decode(std::span<const table::Number> numbers, Row& row) const {
   require_finite(numbers);
-  row.t = second_ * ((numbers[0].value - first_time_.value) + (numbers[0].rest - first_time_.rest));
+  row.t = seconds_between(first_time_, numbers[0]);
   if (has_rates_) {
     for (int i = 0; i < 3; ++i) {
       row.omega[i] = rate_unit_ * rates_in(numbers)[static_cast<std::size_t>(i)].value;

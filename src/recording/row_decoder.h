@@ -49,6 +49,10 @@ class RowDecoder {
   /// needs for its years are then not lost, because the numbers are subtracted before they are
   /// converted. The row also determines the length of quaternions.
   void set_first_row(std::span<const table::Number> numbers);
+  /// The time from one row to another in s.
+  double seconds_between(const table::Number& from, const table::Number& to) const {
+    return second_ * ((to.value - from.value) + (to.rest - from.rest));
+  }
   /// The time of the first row in s, on the file's clock.
   double first_time() const { return second_ * first_time_.value; }
   /// The length that all quaternions have up to rounding: 1, unless that of the first row is far

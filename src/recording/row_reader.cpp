@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,9 @@
 namespace twrench::recording {
 
 struct RowReader::State {
-  State(std::shared_ptr<table::Reader> opened, const Convention& meant);
+  State(std::shared_ptr<table::Reader> opened, const Convention& meant, const Extract& part);
+
+  bool next_of_extract();
 
   void require_later(const Row& row) const;
   table::Calendar calendar() const;
@@ -25,7 +28,9 @@ struct RowReader::State {
 
   std::shared_ptr<table::Reader> reader;
   Convention convention;
+  Extract extract;
   RowDecoder decoder;
+  std::optional<table::Number> start;  ///< time of the table's first row
   std::vector<table::Number> numbers;
   std::size_t rows = 0;
   double last_time = 0;       ///< as in Row
@@ -35,14 +40,27 @@ struct RowReader::State {
   double largest_momentum = 0;  ///< of the components, in the file's unit
 };
 
-RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention& meant)
+RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention& meant,
+                        const Extract& part)
     : reader(std::move(opened)),
       convention(meant),
+      extract(part),
       decoder(reader->header(), convention, [this] { return reader->place(); }),
       numbers(decoder.columns().size()),
       time_digits(has_calendar() ||
                   !reader->header().sources_of(decoder.columns().front()).empty()) {
   reader->begin_pass(decoder.columns());
+}
+
+/// Reads the next row of the extract; returns false after it.
+bool RowReader::State::next_of_extract() {
+  double since_start = 0;
+  do {
+    if (!reader->next(numbers)) return false;
+    if (!start) start = numbers.front();
+    since_start = decoder.seconds_between(*start, numbers.front());
+  } while (since_start < extract.from);
+  return !(since_start > extract.to);
 }
 
 void RowReader::State::require_later(const Row& row) const {
@@ -79,8 +97,9 @@ std::string RowReader::State::time_text(const table::Number& time) const {
   return table::calendar_text(calendar(), time);
 }
 
-RowReader::RowReader(std::shared_ptr<table::Reader> table, const Convention& convention)
-    : state_(std::make_unique<State>(std::move(table), convention)) {}
+RowReader::RowReader(std::shared_ptr<table::Reader> table, const Convention& convention,
+                     const Extract& extract)
+    : state_(std::make_unique<State>(std::move(table), convention, extract)) {}
 
 RowReader::~RowReader() = default;
 RowReader::RowReader(RowReader&&) noexcept = default;
@@ -96,7 +115,7 @@ AttitudeForm RowReader::attitude() const { return state_->decoder.attitude(); }
 
 bool RowReader::next(Row& row) {
   State& state = *state_;
-  if (!state.reader->next(state.numbers)) return false;
+  if (!state.next_of_extract()) return false;
   if (state.rows == 0) state.decoder.set_first_row(state.numbers);
   state.decoder.decode(state.numbers, row);
   state.require_later(row);

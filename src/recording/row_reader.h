@@ -15,9 +15,11 @@ namespace twrench::recording {
 class RowReader {
  public:
   /// Begins the pass, which ends any other over the same table. `convention` names all columns, as
-  /// those of conventions() do. Throws what conventions() throws, and InvalidArgument if rates in
-  /// space axes come without an attitude.
-  RowReader(std::shared_ptr<table::Reader> table, const Convention& convention);
+  /// those of conventions() do. Rows outside of the extract are skipped: the first one within it is
+  /// row 1 at t = 0. Throws what conventions() throws, and InvalidArgument if rates in space axes
+  /// come without an attitude.
+  RowReader(std::shared_ptr<table::Reader> table, const Convention& convention,
+            const Extract& extract = {});
   ~RowReader();
   RowReader(RowReader&&) noexcept;
   RowReader& operator=(RowReader&&) noexcept;

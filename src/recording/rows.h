@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace twrench::recording {
@@ -20,6 +21,12 @@ struct Row {
   double orthogonality_error = 0;
   /// Length of the Rodrigues parameters, tan(angle / 2); 0 for any other form.
   double rodrigues_length = 0;
+};
+
+/// The rows of a recording that count, by their times in s since its first row.
+struct Extract {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
 };
 
 /// Evenly spread rows of a file of any length: the first and every 2^k-th after it.

@@ -60,9 +60,10 @@ std::string table_of(Contents columns, const std::function<double(int)>& time, i
   return text;
 }
 
-MotionOfRows motion_of(const std::string& text, const Extract& extract = {}) {
-  const Recording recording(table::open_table("run.csv", text));
-  return motion_of_rows(recording, conventions(recording.header(), {}).at(0), extract);
+MotionOfRows motion_of(const std::string& text, const Extract& extract = {},
+                       const Eigen::Quaterniond& start = Eigen::Quaterniond::Identity()) {
+  const Recording recording = Recording(table::open_table("run.csv", text)).between(extract);
+  return motion_of_rows(recording, conventions(recording.header(), {}).at(0), start);
 }
 
 /// The largest angle to the exact motion, in rad, over the whole recording.
@@ -125,7 +126,7 @@ TEST(MotionOfRows, StartsFromTheGivenAttitude) {
   const Eigen::Quaterniond start(Eigen::AngleAxisd(1, Vector3d(1, 2, 2) / 3));
   const std::string text = table_of(
       Contents::rates, [](int i) { return 0.05 * i; }, 200);
-  const MotionOfRows shown = motion_of(text, {.attitude = start});
+  const MotionOfRows shown = motion_of(text, {}, start);
   EXPECT_LT(so3::log((start * tumbling().at(3).X).transpose() * shown.motion.at(3).X).norm(), 1e-5);
 }
 
