@@ -45,6 +45,7 @@ std::vector<std::string> visible_errors(const timeline::FilmTimeline& timeline) 
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     if (i + 1 < timeline.size() && timeline.shot(i + 1) == timeline.shot(i)) continue;
     const timeline::Solution& solution = timeline.solutions(timeline.shot(i)).front();
+    if (solution.recording) continue;
     std::string error = motion::visible_error(solution.body, *solution.method,
                                               timeline.frame(i).state.solutions.front().sample);
     if (!error.empty()) errors.push_back(std::move(error));

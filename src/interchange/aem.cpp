@@ -6,8 +6,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 
 #include "motion/reference_motion.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::interchange {
 namespace {
@@ -34,15 +37,14 @@ std::string in_ascii(std::string name) {
 // time.
 constexpr const char* head =
     "CCSDS_AEM_VERS = 1.0\n"
-    "COMMENT Written by {generator}: the free rotation {source}.\n"
+    "COMMENT Written by {generator}: {source}.\n"
     "COMMENT CREATION_DATE is the epoch of the motion, so that the same motion gives the same "
     "file.\n"
     "CREATION_DATE = {start}\n"
     "ORIGINATOR = TWRENCH\n"
     "\n"
     "META_START\n"
-    "COMMENT REF_FRAME_A is the inertial frame whose axes are those of the body at START_TIME. "
-    "The\n"
+    "COMMENT REF_FRAME_A is the inertial frame {frame}. The\n"
     "COMMENT motion does not depend on where these point in the sky: EME2000 is one choice of "
     "many.\n"
     "COMMENT A quaternion turns the axes of REF_FRAME_A into those of REF_FRAME_B: with the unit "
@@ -67,25 +69,45 @@ constexpr const char* head =
     "\n"
     "DATA_START\n";
 
+/// The motion that a message describes.
+struct Source {
+  std::string what, frame;
+  std::function<Eigen::Matrix3d(double t)> attitude;
+};
+
+Source source_of(const scene::Scene& scene) {
+  if (const auto& recording = scene.motion.recording) {
+    return {"the rotation recorded in " +
+                in_ascii(std::filesystem::path(recording->file).filename().string()),
+            "to which the recorded attitudes refer",
+            [recording](double t) { return recording->motion.at(t).X; }};
+  }
+  const motion::FreeBody body = scene::free_body(scene);
+  const motion::Method& method = motion::reference_method(body);
+  const std::shared_ptr<motion::Propagator> motion =
+      motion::make_propagator(body, method, motion::reference_control(scene.motion.control.stop));
+  return {
+      body.is_rigid()
+          ? "the free rotation of a rigid body, in closed form"
+          : fmt::format("the free rotation of a body with a wheel or energy loss, by the method {}",
+                        method.name),
+      "whose axes are those of the body at START_TIME",
+      [motion](double t) { return motion->sample_at(t).X; }};
+}
+
 }  // namespace
 
 void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& generator,
                std::size_t count, const std::function<double(std::size_t)>& time,
                const std::function<void(std::string_view)>& write) {
-  const motion::FreeBody body = scene::free_body(scene);
-  const motion::Method& method = motion::reference_method(body);
-  const auto motion =
-      motion::make_propagator(body, method, motion::reference_control(scene.motion.control.stop));
-  const std::string source =
-      body.is_rigid()
-          ? "of a rigid body, in closed form"
-          : fmt::format("of a body with a wheel or energy loss, by the method {}", method.name);
+  const Source source = source_of(scene);
   const double end = time(count - 1);
   const int digits = decimals(end - time(0), count);
   const double in_a_second = std::pow(10.0, digits);
   const auto ticks = [&](double t) { return std::llround(in_a_second * t); };
   write(fmt::format(fmt::runtime(head), fmt::arg("generator", generator),
-                    fmt::arg("source", source), fmt::arg("name", in_ascii(scene.name)),
+                    fmt::arg("source", source.what), fmt::arg("frame", source.frame),
+                    fmt::arg("name", in_ascii(scene.name)),
                     fmt::arg("start", format_epoch(epoch, ticks(time(0)), digits)),
                     fmt::arg("stop", format_epoch(epoch, ticks(end), digits))));
   Eigen::Quaterniond last = Eigen::Quaterniond::Identity();
@@ -94,7 +116,7 @@ void write_aem(const scene::Scene& scene, Epoch epoch, const std::string& genera
     const std::int64_t instant = ticks(time(i));
     if (instant == written) continue;
     written = instant;
-    Eigen::Quaterniond q(motion->sample_at(static_cast<double>(instant) / in_a_second).X);
+    Eigen::Quaterniond q(source.attitude(static_cast<double>(instant) / in_a_second));
     if (q.dot(last) < 0) q.coeffs() = -q.coeffs();
     last = q;
     write(fmt::format("{} {:.15f} {:.15f} {:.15f} {:.15f}\n", format_epoch(epoch, instant, digits),

@@ -12,6 +12,7 @@
 #include "base/argument.h"
 #include "interchange/aem.h"
 #include "interchange/gltf_scene.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::interchange {
 namespace {
@@ -42,6 +43,11 @@ double animation_speed(const ExportOptions& options, const scene::Scene& scene) 
 
 std::vector<std::string> write_gltf(const ExportOptions& options, const scene::Scene& scene,
                                     const Write& write) {
+  if (const auto& recording = scene.motion.recording; recording && recording->motion.has_gaps()) {
+    throw InvalidArgument(recording->file, "it has gaps, across which no animation can interpolate",
+                          fmt::format("leave them out by {} and {}, or write .csv",
+                                      argument("from"), argument("to")));
+  }
   const AnimationOptions animation{.max_angle = options.max_angle,
                                    .speed = animation_speed(options, scene)};
   gltf_scene(scene, animation, program).write_glb(write);

@@ -55,7 +55,7 @@ class SceneWriter {
         colors_(picture::emphasised(style_.overlay, scene.overlay)),
         body_(scene::free_body(scene)),
         played_(body_, options.speed, scene.motion.duration / options.speed,
-                scene.motion.control.stop),
+                scene.motion.control.stop, scene.motion.recording),
         radius_(picture::bounding_radius(scene::visible_parts(scene.body))),
         overlay_(with_all_arrows(scene), body_, radius_) {}
 
@@ -63,7 +63,11 @@ class SceneWriter {
     const std::size_t camera = add_camera();
     if (scene_.camera.frame != scene::Frame::body) nodes_.push_back(camera);
     add_body(camera);
-    if (!body_.momentum().isZero(0)) {
+    const bool has_momentum = !body_.momentum().isZero(0);
+    if (scene_.motion.recording) {
+      // Whose omega may change abruptly, so that no keys bound the error of an arrow.
+      if (has_momentum && scene_.overlay.shows(scene::Feature::momentum)) add_momentum();
+    } else if (has_momentum) {
       add_momentum();
       // A body whose wheel alone turns is at rest, although it has momentum.
       if (!body_.initial_rate().isZero(0)) add_omega();

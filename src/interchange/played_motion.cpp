@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace twrench::interchange {
 namespace {
@@ -79,10 +80,12 @@ double least_rate(const motion::FreeBody& body) {
 }  // namespace
 
 PlayedMotion::PlayedMotion(const motion::FreeBody& body, double speed, double end,
-                           const std::atomic<bool>* stop)
+                           const std::atomic<bool>* stop,
+                           std::shared_ptr<const scene::ShownRecording> recording)
     : body_(body),
       motion_(body, speed * end, stop),
       speed_(speed),
+      recording_(std::move(recording)),
       stop_(stop),
       least_rate_(least_rate(body)) {
   curvatures_ = body.is_rigid() ? curvatures_of_rigid_body() : curvatures_with_interior();
@@ -92,7 +95,7 @@ motion::Sample PlayedMotion::at(double time) const {
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
     throw motion::MotionError("export", "was stopped", motion::MotionError::Reason::stopped);
   }
-  return motion_.at(speed_ * time);
+  return recording_ ? recording_->motion.at(speed_ * time) : motion_.at(speed_ * time);
 }
 
 PlayedMotion::Peaks PlayedMotion::curvatures_of_rigid_body() const {
@@ -148,6 +151,11 @@ PlayedMotion::Peaks PlayedMotion::peaks(double begin, double end) const {
 
 /// On SO(3) with its bi-invariant metric the covariant acceleration is omega' in body axes.
 RateBounds PlayedMotion::attitude_rates(double begin, double end) const {
+  if (recording_) {
+    const auto [velocity, acceleration] =
+        recording_->motion.rates_between(speed_ * begin, speed_ * end);
+    return {speed_ * velocity, speed_ * speed_ * acceleration};
+  }
   const Peaks p = peaks(begin, end);
   return {speed_ * p.velocity, speed_ * speed_ * p.acceleration};
 }

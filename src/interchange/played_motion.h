@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <atomic>
+#include <memory>
 
 #include "motion/reference_motion.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::interchange {
 
@@ -14,14 +16,16 @@ struct RateBounds {
   double acceleration = 0;  ///< Covariant (geodesic) acceleration in rad/s^2.
 };
 
-/// The exact motion at the speed at which an animation plays it. Times are those of the animation,
-/// in s from its start.
+/// The exact motion, or a recorded one, at the speed at which an animation plays it. Times are
+/// those of the animation, in s from its start.
 class PlayedMotion {
  public:
   /// `speed`: seconds of motion per second of the animation; `end`: its duration in s. If `stop`,
   /// which may be null, becomes true, the constructor and the functions below throw MotionError.
+  /// `recording`, if it is not null, replaces the exact motion.
   PlayedMotion(const motion::FreeBody& body, double speed, double end,
-               const std::atomic<bool>* stop = nullptr);
+               const std::atomic<bool>* stop = nullptr,
+               std::shared_ptr<const scene::ShownRecording> recording = nullptr);
 
   /// Returns the sample of the motion that is shown at `time`.
   motion::Sample at(double time) const;
@@ -29,9 +33,9 @@ class PlayedMotion {
   /// Returns bounds for the attitude from `begin` to `end`.
   RateBounds attitude_rates(double begin, double end) const;
 
-  /// Returns bounds for the direction of omega in space from `begin` to `end`. The bound for the
-  /// acceleration also covers the second derivative of |omega|, relative to |omega|. Zero for a
-  /// body at rest.
+  /// Returns bounds for the direction of omega of the exact motion in space from `begin` to `end`.
+  /// The bound for the acceleration also covers the second derivative of |omega|, relative to
+  /// |omega|. Zero for a body at rest.
   RateBounds omega_rates(double begin, double end) const;
 
  private:
@@ -47,6 +51,7 @@ class PlayedMotion {
   motion::FreeBody body_;
   motion::ReferenceMotion motion_;
   double speed_;
+  std::shared_ptr<const scene::ShownRecording> recording_;
   const std::atomic<bool>* stop_;
   double least_rate_;  ///< Lower bound for |omega| at all times, in rad/s.
   Peaks curvatures_;   ///< Bounds of the second derivatives of the first three.

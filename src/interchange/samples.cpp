@@ -18,6 +18,7 @@
 #include "motion/visible_error.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::interchange {
 namespace {
@@ -71,8 +72,14 @@ std::string csv_row(const std::vector<Column>& columns, const motion::Sample& s,
   return text;
 }
 
-TextFormat csv_format(const motion::FreeBody& body) {
-  const std::vector<Column> columns = columns_of(body);
+/// The same for a scene; of a recording whose body is not known, only what needs no body.
+std::vector<Column> columns_of(const scene::Scene& scene, const motion::FreeBody& body) {
+  const auto& recording = scene.motion.recording;
+  if (!recording || recording->has_body) return columns_of(body);
+  return {{"orthogonality_error", &motion::Diagnostics::orthogonality_error}};
+}
+
+TextFormat csv_format(const std::vector<Column>& columns) {
   std::string header = "t,x11,x12,x13,x21,x22,x23,x31,x32,x33,wx,wy,wz";
   for (const Column& column : columns) header += std::string(",") + column.name;
   return {header + "\n", "", [](const std::string&) { return std::string(); },
@@ -97,10 +104,11 @@ std::string json_row(const std::vector<Column>& columns, const motion::Sample& s
   return text;
 }
 
-TextFormat json_format(const scene::Scene& scene, const motion::FreeBody& body) {
-  const nlohmann::ordered_json document{{"scene", scene.name},
-                                        {"method", scene.motion.method},
-                                        {"samples", nlohmann::ordered_json::array()}};
+TextFormat json_format(const scene::Scene& scene, const std::vector<Column>& columns) {
+  const nlohmann::ordered_json document{
+      {"scene", scene.name},
+      {"method", scene.motion.recording ? std::string(scene::recorded_name) : scene.motion.method},
+      {"samples", nlohmann::ordered_json::array()}};
   const std::string text =
       document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   const std::size_t samples = text.rfind(']');
@@ -109,7 +117,7 @@ TextFormat json_format(const scene::Scene& scene, const motion::FreeBody& body) 
             const nlohmann::json quoted = note;
             return "\n ]" + (note.empty() ? "" : ",\n \"note\": " + quoted.dump()) + end + "\n";
           },
-          [columns = columns_of(body)](const motion::Sample& s, const motion::Diagnostics& d) {
+          [columns](const motion::Sample& s, const motion::Diagnostics& d) {
             return json_row(columns, s, d);
           }};
 }
@@ -175,6 +183,19 @@ std::string remedy_for_samples(double duration) {
   return fmt::format("use {} or less, or a shorter {}", argument("fps", fps), argument("duration"));
 }
 
+void write_recorded(RowWriter& rows, const scene::Scene& scene, std::span<const double> times) {
+  const motion::RecordedMotion& recorded = scene.motion.recording->motion;
+  for (const double t : times) {
+    constexpr double rounding = 1 + 1e-12;
+    if (t < 0 || t > rounding * recorded.duration()) {
+      throw InvalidArgument(scene.motion.recording->file,
+                            fmt::format("{:.9g} s is not among the {:.9g} s that are recorded", t,
+                                        recorded.duration()));
+    }
+    rows.add(recorded.at(t));
+  }
+}
+
 }  // namespace
 
 RegularTimes::RegularTimes(const scene::Scene& scene)
@@ -196,7 +217,16 @@ std::string write_trajectory(const Write& write, const scene::Scene& scene,
                              const Progress& progress) {
   const motion::Method& method = motion::find_method(scene.motion.method);
   const motion::FreeBody body = scene::free_body(scene);
-  RowWriter rows(write, format == "csv" ? csv_format(body) : json_format(scene, body), body);
+  const std::vector<Column> columns = columns_of(scene, body);
+  RowWriter rows(write, format == "csv" ? csv_format(columns) : json_format(scene, columns), body);
+  if (scene.motion.recording) {
+    std::vector<double> all = times;
+    const RegularTimes regular(scene);
+    for (std::size_t i = 0; times.empty() && i < regular.size(); ++i) all.push_back(regular(i));
+    write_recorded(rows, scene, all);
+    rows.finish({});
+    return {};
+  }
   if (times.empty()) {
     const RegularTimes regular(scene);
     std::size_t done = 0;
@@ -218,7 +248,7 @@ std::string write_trajectory(const Write& write, const scene::Scene& scene,
 
 void write_csv(const Write& write, const motion::FreeBody& body,
                std::span<const motion::Sample> samples) {
-  RowWriter rows(write, csv_format(body), body);
+  RowWriter rows(write, csv_format(columns_of(body)), body);
   for (const motion::Sample& sample : samples) rows.add(sample);
   rows.finish({});
 }

@@ -44,10 +44,28 @@ class RecordedMotion {
   /// Returns the states at `times` in s.
   std::vector<Sample> samples_at(std::span<const double> times) const;
 
+  /// Upper bounds of |omega| and |omega'| (rad/s, rad/s^2) from `begin` to `end`, without the jumps
+  /// at the ends of gaps.
+  struct Rates {
+    double velocity = 0, acceleration = 0;
+  };
+  Rates rates_between(double begin, double end) const;
+
+  /// Whether the motion is held anywhere because nothing is known.
+  bool has_gaps() const;
+
   /// Whether nothing is known at t in s.
   bool is_in_gap(double t) const;
 
  private:
+  /// The motion from one instant to the next: u = s (linear + s (square + s cube)) with s from 0 to
+  /// 1.
+  struct Piece {
+    Eigen::Matrix3d start;
+    Eigen::Vector3d linear, square, cube;
+    double length;  ///< s
+  };
+  Piece piece_after(std::size_t instant) const;
   /// Returns the last instant that is not after t, but not the last of all.
   std::size_t before(double t) const;
   bool is_gap_after(std::size_t instant) const;

@@ -4,6 +4,7 @@
 #include <twrench/base/error.h>
 #include <twrench/math/so3.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +21,19 @@ using Eigen::Vector3d;
 using Instant = motion::RecordedMotion::Instant;
 
 constexpr std::size_t most_in_window = 7;
+
+/// The rotation nearest to a matrix that is nearly one, by Newton's iteration for the polar
+/// decomposition. Source: Higham, Computing the polar decomposition, SIAM J. Sci. Stat. Comput. 7
+/// (1986).
+Quaterniond nearest_rotation(Eigen::Matrix3d X) {
+  constexpr int most = 20;  // three suffice for the errors of usual integrators
+  for (int i = 0; i < most; ++i) {
+    const Eigen::Matrix3d next = 0.5 * (X + X.inverse().transpose());
+    if ((next - X).norm() < 1e-15) break;
+    X = next;
+  }
+  return Quaterniond(X).normalized();
+}
 
 /// The rotation vector from one attitude to another, in the axes of the first.
 Vector3d turn_between(const Instant& from, const Instant& to) {
@@ -162,7 +176,7 @@ MotionOfRows motion_of_rows(const Recording& recording, const Convention& conven
   const bool has_attitude = reader.attitude() != AttitudeForm::none;
   std::vector<Instant> rows;
   for (Row row; reader.next(row);) {
-    const Quaterniond X = has_attitude ? Quaterniond(row.X).normalized() : start;
+    const Quaterniond X = has_attitude ? nearest_rotation(row.X) : start;
     rows.push_back({row.t, X, row.omega});
   }
   if (rows.size() < 2) {

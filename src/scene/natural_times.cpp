@@ -13,6 +13,7 @@
 
 #include "scene/limits.h"
 #include "scene/phrase.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::scene {
 namespace {
@@ -87,6 +88,16 @@ double film_speed_of(double turn, double duration) {
                     within(limits::speed, duration / shortest, 2));
 }
 
+/// Replaces the times of a free motion by those of a recorded one. It is shown whole, and in real
+/// time if the video then lasts 10 to 30 s.
+NaturalTimes times_of_recording(NaturalTimes times, const motion::RecordedMotion& recorded) {
+  constexpr double shortest = 10, longest = 30;  // s of video
+  times.duration = recorded.duration();
+  const double speed = std::clamp(1.0, times.duration / longest, times.duration / shortest);
+  times.speed = std::clamp(speed, limits::speed.low, limits::speed.high);
+  return times;
+}
+
 }  // namespace
 
 NaturalTimes natural_times(const motion::FreeBody& body) {
@@ -104,6 +115,9 @@ NaturalTimes natural_times(const motion::FreeBody& body) {
 }
 
 NaturalTimes natural_times(const Scene& scene) {
+  if (scene.motion.recording) {
+    return times_of_recording(natural_times(free_body(scene)), scene.motion.recording->motion);
+  }
   std::optional<NaturalTimes> all;
   for (const motion::FreeBody& body : shown_bodies(scene)) {
     const NaturalTimes times = natural_times(body);

@@ -13,6 +13,7 @@
 #include "base/enumeration.h"
 #include "scene/limits.h"
 #include "scene/phrase.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::scene {
 namespace {
@@ -172,6 +173,8 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
     files.insert(files.end(), part.mesh->others.begin(), part.mesh->others.end());
   }
   if (scene.film.audio.is_given()) files.push_back(scene.film.audio.path);
+  const ShownRecording* const recording = scene.motion.recording.get();
+  if (recording != nullptr && !recording->path.empty()) files.push_back(recording->path);
   for (const Shot& shot : scene.shots) {
     if (shot.narration.is_given()) files.push_back(shot.narration.path);
     const std::vector<std::filesystem::path> more = input_files(shot.scene);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -22,6 +23,8 @@
 #include "system/error.h"
 
 namespace twrench::scene {
+
+struct ShownRecording;
 
 /// How a part looks. Unset values are those of the scene's look.
 struct PartLook {
@@ -101,6 +104,9 @@ struct Motion {
   motion::StepControl control;
   /// Duration of the motion in s.
   double duration = 96.0;
+  /// The recorded motion that is shown instead of a computed one; null for none. The members above
+  /// then describe a free motion to compare it with.
+  std::shared_ptr<const ShownRecording> recording = nullptr;
 
   /// Returns whether nothing moves within the body.
   bool is_rigid() const { return !wheel && !energy_loss_time; }

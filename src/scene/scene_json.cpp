@@ -7,6 +7,7 @@
 #include "base/enumeration.h"
 #include "body/dimensions.h"
 #include "scene/fields.h"
+#include "scene/shown_recording.h"
 #include "system/sha256.h"
 
 namespace twrench::scene {
@@ -130,6 +131,12 @@ ordered_json scene_json(const Scene& scene) {
     ordered_json value = field.get(scene);
     if (value.is_null()) continue;
     table_in(json, field.table)[field.key] = std::move(value);
+  }
+  if (scene.motion.recording) {
+    // The digest reveals another recording, or another reading of it.
+    json["motion"]["recording"] = {{"file", scene.motion.recording->file},
+                                   {"sha256", scene.motion.recording->sha256},
+                                   {"drift", scene.motion.recording->drift}};
   }
   json.update(body_json(scene.body));
   if (!scene.shots.empty()) {

@@ -136,17 +136,20 @@ void append(MotionCourse& course, const Span& span, const std::atomic<bool>* sto
   const double points = std::ceil(span.end * course.rate);
   const std::size_t count = static_cast<std::size_t>(points) - std::min(first, std::size_t(points));
   const Matrix3d M = end_speeds(span.scene.body);
-  motion::visit_samples(
-      solution.body, *solution.method, solution.control, count,
-      [&](std::size_t i) { return span.motion_time(film_time(i)); },
-      [&](const motion::Sample& sample) {
-        const double time = double(course.speeds.size()) / course.rate;
-        const Vector3d w = span.speed(time) * sample.omega -
-                           sample.X.transpose() * camera_rate(span, solution.body, sample, time);
-        constexpr double fastest = 1e6;
-        course.speeds.push_back(
-            static_cast<float>(std::min(std::sqrt(std::max(0.0, w.dot(M * w))), fastest)));
-      });
+  const auto time_of = [&](std::size_t i) { return span.motion_time(film_time(i)); };
+  const auto add = [&](const motion::Sample& sample) {
+    const double time = double(course.speeds.size()) / course.rate;
+    const Vector3d w = span.speed(time) * sample.omega -
+                       sample.X.transpose() * camera_rate(span, solution.body, sample, time);
+    constexpr double fastest = 1e6;
+    course.speeds.push_back(
+        static_cast<float>(std::min(std::sqrt(std::max(0.0, w.dot(M * w))), fastest)));
+  };
+  if (solution.recording) {
+    for (std::size_t i = 0; i < count; ++i) add(solution.recording->motion.at(time_of(i)));
+  } else {
+    motion::visit_samples(solution.body, *solution.method, solution.control, count, time_of, add);
+  }
   const double start = span.motion_time(span.begin), end = span.motion_time(span.end);
   for (const double flip : solution.flip_times) {
     if (flip >= start && flip < end) course.flips.push_back(span.film_time(flip));

@@ -118,8 +118,7 @@ std::shared_ptr<const CameraMove> FilmTimeline::move_of(const scene::Scene& film
   if (changes_frame(film, shot)) {
     const Solution& solution = solutions(shot).front();
     const std::vector<double> ends{own.start, own.time_of(own.move)};
-    const std::vector<motion::Sample> samples =
-        motion::integrate(solution.body, *solution.method, solution.control, ends).samples;
+    const std::vector<motion::Sample> samples = solution.samples_at(ends);
     move.change.emplace(
         solution.body, FrameChange::End{previous.scene.camera.frame, samples[0], own.speed.at(0)},
         FrameChange::End{own.scene.camera.frame, samples[1], own.speed.at(own.move)}, own.move);

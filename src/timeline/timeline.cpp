@@ -116,17 +116,35 @@ std::string name_of_wheel(const Eigen::Vector3d& wheel, scene::Language language
                      rounded(wheel.z()));
 }
 
+/// The times at which curves are drawn.
+std::vector<double> whole_times(double duration) {
+  std::vector<double> times;
+  for (int i = 0; i <= whole_intervals; ++i) times.push_back(duration * i / whole_intervals);
+  return times;
+}
+
+Solution recorded_solution(const scene::Scene& scene, const motion::StepControl& control,
+                           const motion::FreeBody& body) {
+  const auto& recording = scene.motion.recording;
+  Solution solution{&motion::find_method(scene.motion.method),
+                    control,
+                    body,
+                    motion::energy(body.inertia(), recording->motion.instants().front().omega),
+                    recording->motion.samples_at(whole_times(scene.motion.duration)),
+                    {},
+                    recording->flip_times,
+                    recording->flip_times,
+                    scene::recorded_name,
+                    recording};
+  return solution;
+}
+
 Solution solution_of(const scene::Scene& scene, const motion::StepControl& control,
                      const std::string& name, const std::string& method,
                      const motion::FreeBody& body) {
   Solution solution{&motion::find_method(method), control, body, 0.0, {}, {}, {}, {}, name};
   solution.initial_energy = motion::energy(solution.body.inertia(), solution.body.omega());
-  std::vector<double> times;
-  for (int i = 0; i <= whole_intervals; ++i) {
-    times.push_back(scene.motion.duration * i / whole_intervals);
-  }
-  solution.whole =
-      motion::integrate(solution.body, *solution.method, solution.control, times).samples;
+  solution.whole = solution.samples_at(whole_times(scene.motion.duration));
   add_flips(solution, scene.motion.duration);
   return solution;
 }
@@ -142,13 +160,17 @@ std::string name_of(const scene::Scene& scene, const motion::FreeBody& body) {
   return scene.motion.method;
 }
 
-/// One solution per method, or per initial angular velocity or wheel.
+/// One solution per method, or of a recording, or per initial angular velocity or wheel.
 std::vector<Solution> solutions_of(const scene::Scene& scene, const std::atomic<bool>* stop) {
   motion::StepControl control = scene.motion.control;
   control.stop = stop;
   const std::vector<motion::FreeBody> bodies = scene::shown_bodies(scene);
   std::vector<Solution> solutions;
+  if (scene.motion.recording) {
+    solutions.push_back(recorded_solution(scene, control, bodies[0]));
+  }
   for (const std::string& method : scene.overlay.compare) {
+    if (method == scene::recorded_name) continue;
     solutions.push_back(solution_of(scene, control, method, method, bodies[0]));
   }
   if (!solutions.empty()) return solutions;
@@ -235,8 +257,7 @@ Timeline::Record Timeline::record(const Solution& solution) const {
     times.push_back(static_cast<double>(number) * grid_step_);
   }
   for (const double time : star_times_) times.push_back(std::max(0.0, clock_(time)));
-  const std::vector<motion::Sample> samples =
-      motion::integrate(solution.body, *solution.method, solution.control, times).samples;
+  const std::vector<motion::Sample> samples = solution.samples_at(times);
   const auto blur = samples.begin() + std::ssize(frames_);
   const auto stars = samples.end() - std::ssize(star_times_);
   const auto grid = stars - std::ssize(grid_numbers_);
@@ -266,6 +287,11 @@ void Timeline::add_stars(FrameState& state) const {
                    stars.begin() + (last - star_times_.begin()));
     samples.push_back(state.solutions[i].sample);
   }
+}
+
+std::vector<motion::Sample> Solution::samples_at(std::span<const double> times) const {
+  return recording ? recording->motion.samples_at(times)
+                   : motion::integrate(body, *method, control, times).samples;
 }
 
 double SolutionState::trail_age(const motion::Sample& of_trail, double trail_length) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/shown_recording.h"
 #include "timeline/camera_move.h"
 
 namespace twrench::timeline {
@@ -45,13 +46,19 @@ struct Solution {
   std::vector<motion::Sample> whole;
   /// The flips of the exact motion; nothing if the body does not turn over or is not rigid.
   std::optional<motion::ExactMotion::Flips> flips;
-  /// The flips of a body with a wheel in the method's own solution in s, up to twice the duration.
+  /// The flips of a body with a wheel in the method's own solution in s, up to twice the duration;
+  /// or those of a recorded motion.
   std::vector<double> wheel_flips;
   /// Times of the flips in the method's own solution in s, ascending.
   std::vector<double> flip_times;
   /// Distinguishes it from other motions in the same picture: its method, or the axis about which
   /// it starts and the moment of inertia about that axis.
   std::string name = {};
+  /// The recorded motion that it is; null if `method` computes it.
+  std::shared_ptr<const scene::ShownRecording> recording = nullptr;
+
+  /// Returns the motion at these times in s. Throws as motion::integrate() does.
+  std::vector<motion::Sample> samples_at(std::span<const double> times) const;
 
   /// Returns whether the body turns over.
   bool turns_over() const { return flips || !wheel_flips.empty(); }

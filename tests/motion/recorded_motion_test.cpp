@@ -91,6 +91,21 @@ TEST(RecordedMotion, IsHeldInGapsAndBeyondItsEnds) {
   EXPECT_NEAR(angle(motion.at(0.5)), 0.05, 1e-15);
 }
 
+TEST(RecordedMotion, BoundsRatesAndAccelerations) {
+  for (const auto& [moments, omega] : bodies_of_every_kind()) {
+    const ExactMotion motion(FreeBody(moments.asDiagonal(), omega));
+    const double step = 0.5 / std::max(omega.norm(), 1e-3), h = 1e-3 * step;
+    const RecordedMotion between = recorded(motion, step, 20);
+    for (int i = 0; i < 100; ++i) {
+      const double t = (i + 0.5) * step / 5;
+      const auto [velocity, acceleration] = between.rates_between(t - h, t + h);
+      const Sample before = between.at(t - h), after = between.at(t + h);
+      EXPECT_LE(between.at(t).omega.norm(), velocity);
+      EXPECT_LE((after.omega - before.omega).norm() / (2 * h), acceleration * (1 + 1e-3) + 1e-9);
+    }
+  }
+}
+
 TEST(RecordedMotion, RefusesASingleInstant) {
   EXPECT_THROW(RecordedMotion({{0, Eigen::Quaterniond::Identity(), Vector3d::Zero()}}, 1),
                InvalidArgument);

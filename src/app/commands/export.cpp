@@ -21,6 +21,7 @@ struct ExportOptions {
   explicit ExportOptions(CLI::App& command)
       : scene(command), output(command, system::exported_motion, OutputOptions::Otherwise::none) {
     scene.add_motion_options();
+    scene.add_recording_options();
     scene.add_look_options();
   }
 

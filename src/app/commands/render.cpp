@@ -13,6 +13,7 @@
 #include "film/render_job.h"
 #include "image/picture_memory.h"
 #include "scene/languages.h"
+#include "scene/shown_recording.h"
 #include "scene/video_length.h"
 #include "system/error.h"
 #include "system/termination.h"
@@ -60,6 +61,9 @@ void render(const RenderOptions& options) {
   job.run([&](int done, int total) { progress.update(done, total); });
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   progress.summarize(summary_of(settings, job.size(), seconds));
+  if (scene.motion.recording && !scene.motion.recording->verdict.empty()) {
+    progress.note(scene.motion.recording->file + ": " + scene.motion.recording->verdict);
+  }
   if (!options.timing.empty()) {
     const bool json = options.timing == "json" || options.progress == "json";
     say("{}\n", timing_report(job.times(), before, seconds, job.size(), json));

@@ -20,6 +20,7 @@ struct SimulateOptions {
   explicit SimulateOptions(CLI::App& command)
       : scene(command), output(command, system::motion_output) {
     scene.add_motion_options();
+    scene.add_recording_options();
   }
 
   SceneOptions scene;

@@ -63,26 +63,7 @@ void CheckSetup::add_options(CLI::App& command) {
       ->type_name("FROM")
       ->capture_default_str()
       ->group(heading(OptionGroup::data));
-  for (const recording::Field& field : recording::convention_fields()) add_option(command, field);
-}
-
-void CheckSetup::add_option(CLI::App& command, const recording::Field& field) {
-  const std::string name = option_text(field.name, {});
-  switch (field.form) {
-    case recording::FieldForm::unasked:
-      return;
-    case recording::FieldForm::flag:
-      command.add_flag(name, flags_[field.name], field.help)->group(heading(OptionGroup::data));
-      return;
-    case recording::FieldForm::text:
-    case recording::FieldForm::rotation:
-      break;
-  }
-  CLI::Option* option = command.add_option(name, texts_[field.name], field.help)
-                            ->type_name(field.placeholder)
-                            ->default_str(field.otherwise)
-                            ->group(heading(OptionGroup::data));
-  if (!field.words.empty()) option->check(one_of(name, field.words));
+  convention_.add_to(command);
 }
 
 const scene::Scene& CheckSetup::scene() const {
@@ -141,24 +122,6 @@ check::Problem CheckSetup::problem() const {
   problem.fit = fit_;
   problem.frame = find_enumerator<check::FrameSource>(frame_, "--frame");
   return problem;
-}
-
-recording::Convention CheckSetup::convention() const {
-  recording::Convention given;
-  for (const recording::Field& field : recording::convention_fields()) {
-    const auto flag = flags_.find(field.name);
-    if (flag != flags_.end() && flag->second) field.set(given, true);
-    const auto text = texts_.find(field.name);
-    if (text == texts_.end() || text->second.empty()) continue;
-    if (field.form == recording::FieldForm::rotation) {
-      const std::string name = option_text(field.name, {});
-      const Eigen::Vector4d numbers = parse_quaternion(text->second, name);
-      field.set(given, scene::limits::check_rotation(name, numbers));
-    } else {
-      field.set(given, text->second);
-    }
-  }
-  return given;
 }
 
 void CheckSetup::add_inputs(system::FileList& files) const {

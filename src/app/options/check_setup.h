@@ -1,14 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 
 #include "app/options/command_line.h"
+#include "app/options/convention_options.h"
 #include "cases/case.h"
 #include "check/verdict/problem.h"
-#include "recording/conventions/convention.h"
 #include "scene/scene.h"
 #include "system/file_list.h"
 
@@ -25,13 +24,12 @@ class CheckSetup {
   check::Problem problem() const;
 
   /// Returns how files are to be read, as far as the options determine it. Throws InvalidArgument.
-  recording::Convention convention() const;
+  recording::Convention convention() const { return convention_.convention(); }
 
   /// Adds the scene file, and all files that it names, to the inputs. Throws OverwriteError.
   void add_inputs(system::FileList& files) const;
 
  private:
-  void add_option(CLI::App& command, const recording::Field& field);
   Eigen::Matrix3d inertia() const;
   /// Returns the case named by --case, if any. Throws InvalidArgument if another option also gives
   /// the body or the initial rates.
@@ -41,9 +39,7 @@ class CheckSetup {
 
   std::string inertia_, scene_name_, case_name_, omega_, omega_at_ = "0", frame_ = "first";
   bool fit_ = false;
-  // The fields of the convention, by their names.
-  std::map<std::string, std::string> texts_;
-  std::map<std::string, bool> flags_;
+  ConventionOptions convention_;
   mutable std::optional<scene::Scene> scene_;  ///< Set by scene().
 };
 

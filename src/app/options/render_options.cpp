@@ -45,6 +45,7 @@ void fit_animation(scene::Film& film) {
 
 RenderOptions::RenderOptions(CLI::App& command) : scene(command), command_(command) {
   scene.add_motion_options();
+  scene.add_recording_options();
   scene.add_length_option();
   scene.add_picture_options();
   CLI::Option* const background = command.get_option("--background");

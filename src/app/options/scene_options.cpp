@@ -13,11 +13,13 @@
 #include "app/options/option_group.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
+#include "replay/replay.h"
 #include "scene/fields.h"
 #include "scene/interior.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
+#include "scene/shown_recording.h"
 #include "scene/video_length.h"
 #include "system/file.h"
 
@@ -277,6 +279,11 @@ void SceneOptions::set_length(scene::Scene& scene) const {
                           has_duration ? scene::Kept::duration : scene::Kept::speed, "--length");
 }
 
+bool SceneOptions::is_body_given() const {
+  const CLI::Option* inertia = command_.get_option_no_throw("--inertia");
+  return command_.count("SCENE") > 0 || (inertia != nullptr && inertia->count() > 0);
+}
+
 void SceneOptions::require_interior(const scene::Scene& scene) const {
   scene::check_interior(scene, [&](const std::string& key) {
     const auto field = std::ranges::find(scene::fields(), key, &scene::Field::key);
@@ -300,8 +307,10 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
     }
     require_interior(scene);
     for (const scene::Shot& shot : scene.shots) require_interior(shot.scene);
+    recording_.apply(scene, is_body_given());
     scene::set_natural_times(scene);
     set_length(scene);
+    replay::require_recorded(scene);
     // Neutral titles are alike, so the scene's name tells them apart.
     const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();
     if (is_neutral && names_.size() > 1) scene.title += ": " + scene.name;
@@ -342,6 +351,9 @@ std::vector<scene::Scene> SceneOptions::scenes() const {
   if (is_given) warn_of_unreal_moments("--inertia", *scenes.front().body.inertia, as_json);
   for (const scene::Scene& scene : scenes) {
     for (const std::string& note : scene::mesh_notes(scene)) warn(note, as_json);
+    if (const auto& recording = scene.motion.recording) {
+      for (const std::string& note : recording->notes) warn(note, as_json);
+    }
     if (scene.body.inertia && !is_given) {
       warn_of_unreal_moments(scene.name, *scene.body.inertia, as_json);
     }

@@ -8,6 +8,7 @@
 #include "app/options/command_line.h"
 #include "app/options/mesh_options.h"
 #include "app/options/option_group.h"
+#include "app/options/recording_options.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
 #include "system/file_list.h"
@@ -61,6 +62,9 @@ class SceneOptions {
 
   /// Adds only --inertia.
   void add_inertia_option();
+
+  /// Adds --motion and the options that say how a recorded motion is read.
+  void add_recording_options() { recording_.add_to(command_); }
 
   /// Adds --length, which determines the duration or the speed.
   void add_length_option();
@@ -130,10 +134,13 @@ class SceneOptions {
   void set_length(scene::Scene& scene) const;
   /// Throws InvalidArgument about an option or a key of the scene, as check_interior() does.
   void require_interior(const scene::Scene& scene) const;
+  /// Whether the user named the body, rather than leaving it to the default scene.
+  bool is_body_given() const;
 
   CLI::App& command_;
   std::vector<std::string> names_;
   MeshOptions mesh_;
+  RecordingOptions recording_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;
   std::optional<std::string> language_;  ///< Nothing for that of each scene.

@@ -10,6 +10,7 @@
 #include "picture/hud/hud_text.h"
 #include "picture/views/inset_views.h"
 #include "scene/phrase.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::picture {
 namespace {
@@ -24,14 +25,24 @@ class Figures {
         longest_(scene.motion.duration),
         resolution_(scene.film.speed / scene.film.fps),
         unit_(time_unit(longest_)),
-        compact_(compact) {
+        compact_(compact),
+        recording_(scene.motion.recording) {
     for (const timeline::Solution& solution : solutions)
       flips_ = std::max(flips_, solution.flip_times.size());
   }
 
   Readout time() const {
-    return {phrase({"time", "tid"}), text(longest_), [self = *this](const timeline::FrameState& m) {
-              return self.text(m.solutions[0].sample.t);
+    if (!recording_ || !recording_->motion.has_gaps()) {
+      return {phrase({"time", "tid"}), text(longest_),
+              [self = *this](const timeline::FrameState& m) {
+                return self.text(m.solutions[0].sample.t);
+              }};
+    }
+    const std::string gap = phrase({" (no data)", " (ingen data)"});
+    return {phrase({"time", "tid"}), text(longest_) + gap,
+            [gap, self = *this](const timeline::FrameState& m) {
+              const double t = m.solutions[0].sample.t;
+              return self.text(t) + (self.recording_->motion.is_in_gap(t) ? gap : "");
             }};
   }
   Readout energy_drift(std::size_t solution) const {
@@ -44,6 +55,14 @@ class Figures {
     return {phrase({"off SO(3)", "utenfor SO(3)"}), "8.8×10⁻¹⁴",
             [solution](const timeline::FrameState& m) {
               return hud_text::error(m.solutions[solution].diagnostics.orthogonality_error);
+            }};
+  }
+  /// The angle between the first motion and another.
+  Readout angle(std::size_t solution) const {
+    return {phrase(compact_ ? Phrase("off by", "avvik")
+                            : Phrase("off the recorded attitude", "avvik fra målt stilling")),
+            "180.00°", [solution](const timeline::FrameState& m) {
+              return hud_text::degrees(m.solutions[0].sample, m.solutions[solution].sample);
             }};
   }
   Readout flips(std::size_t solution) const {
@@ -69,6 +88,7 @@ class Figures {
   double resolution_;
   TimeUnit unit_;
   bool compact_;
+  std::shared_ptr<const scene::ShownRecording> recording_;
   std::size_t flips_ = 0;
 };
 
@@ -155,7 +175,8 @@ void Typesetter::add_legend(std::size_t solution) {
   if (!scene_.overlay.compare.empty()) {
     // An energy that is lost is no error.
     if (body.energy_loss() == 0) row.push_back(figures_.energy_drift(solution));
-    row.push_back(figures_.orthogonality(solution));
+    if (!scene_.motion.recording) row.push_back(figures_.orthogonality(solution));
+    if (scene_.motion.recording && solution > 0) row.push_back(figures_.angle(solution));
   }
   const bool has_flips = body.energy_loss() == 0;
   if (has_flips && (!row.empty() || shows(scene::Feature::hud))) {

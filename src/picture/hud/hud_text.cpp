@@ -1,10 +1,12 @@
 #include "picture/hud/hud_text.h"
 
 #include <fmt/format.h>
+#include <twrench/math/so3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "scene/phrase.h"
 
@@ -70,6 +72,11 @@ std::string drift(double value) {
   return (value < 0 ? "−" : "+") + error(value);
 }
 
+std::string degrees(const motion::Sample& from, const motion::Sample& to) {
+  const double angle = so3::log(from.X.transpose() * to.X).norm() * 180 / std::numbers::pi;
+  return angle < 0.005 ? "<0.01°" : fmt::format("{:.{}f}°", angle, angle < 9.995 ? 2 : 1);
+}
+
 std::string setting(double value) {
   const std::string text = fmt::format("{:.4g}", value);
   return text.starts_with("1e") ? "10" + raised(std::stoi(text.substr(2))) : typographic(text);
@@ -77,6 +84,7 @@ std::string setting(double value) {
 
 std::string method(const timeline::Solution& solution, scene::Language language) {
   using scene::Phrase;
+  if (solution.recording) return Phrase("recorded", "målt").in(language);
   const std::string_view name = solution.method->name;
   if (solution.method->exact()) {
     return Phrase("{}, closed form", "{}, lukket form").in(language, name);

@@ -28,6 +28,9 @@ std::string error(double value);
 /// Formats a setting as briefly as possible: "0.01", "10⁻¹⁰", "2.5×10⁻⁷".
 std::string setting(double value);
 
+/// Returns the angle between two attitudes, "12.3°".
+std::string degrees(const motion::Sample& from, const motion::Sample& to);
+
 /// Returns, for example, "rkmk45, tolerance 10⁻¹⁰".
 std::string method(const timeline::Solution& solution, scene::Language language);
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/options/command_line.h"
+#include "recording/conventions/convention.h"
+
+namespace twrench::app {
+
+/// The options that say how a recording is to be read: one for each field of a convention. Must
+/// live as long as the command.
+class ConventionOptions {
+ public:
+  void add_to(CLI::App& command);
+
+  /// Returns how a recording is to be read, as far as the options determine it. Throws
+  /// InvalidArgument.
+  recording::Convention convention() const;
+
+  /// Returns the name of an option that was given; empty if there is none.
+  std::string given() const;
+
+ private:
+  void add_option(CLI::App& command, const recording::Field& field);
+
+  // The values of the fields, by their names.
+  std::map<std::string, std::string> texts_;
+  std::map<std::string, bool> flags_;
+};
+
+}  // namespace twrench::app

@@ -1,0 +1,64 @@
+#include "app/options/recording_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/option_group.h"
+#include "recording/recording.h"
+#include "replay/replay.h"
+#include "scene/limits.h"
+
+namespace twrench::app {
+
+void RecordingOptions::add_to(CLI::App& command) {
+  command_ = &command;
+  command
+      .add_option(
+          "--motion", file_,
+          "show this recorded motion instead of a computed one: a CSV, TSV, JSON, AEM, .npy "
+          "or .npz file of times and attitudes, rates or both")
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::motion));
+  command
+      .add_option("--from", from_,
+                  "of a recording: leave out what is earlier, s since its first row")
+      ->type_name("T")
+      ->group(heading(OptionGroup::motion));
+  command.add_option("--to", to_, "of a recording: leave out what is later, s since its first row")
+      ->type_name("T")
+      ->group(heading(OptionGroup::motion));
+  convention_.add_to(command);
+}
+
+/// Throws InvalidArgument if an option has a meaning only with a recording.
+void RecordingOptions::require_no_others() const {
+  const std::string option = !from_.empty() ? "--from"
+                             : !to_.empty() ? "--to"
+                                            : convention_.given();
+  if (option.empty()) return;
+  throw InvalidArgument(option, "it says how to read a recorded motion, and there is none",
+                        "give the recording with --motion FILE, or leave the option out");
+}
+
+void RecordingOptions::apply(scene::Scene& scene, bool has_body) const {
+  if (command_ == nullptr) return;
+  if (file_.empty()) {
+    require_no_others();
+    return;
+  }
+  for (const char* option : {"--omega", "--method"}) {
+    if (command_->count(option) == 0) continue;
+    throw InvalidArgument(option, "the motion is recorded in " + file_,
+                          "leave it out; --compare exact shows the free motion beside it");
+  }
+  recording::Extract extract;
+  if (!from_.empty()) extract.from = parse_number(from_, "--from", scene::limits::coordinate);
+  if (!to_.empty()) extract.to = parse_number(to_, "--to", scene::limits::coordinate);
+  replay::show_recording(scene, recording::Recording(file_).between(extract),
+                         convention_.convention(),
+                         has_body ? replay::Body::known : replay::Body::unknown);
+}
+
+}  // namespace twrench::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "app/options/command_line.h"
+#include "app/options/convention_options.h"
+#include "scene/scene.h"
+
+namespace twrench::app {
+
+/// The options for a recorded motion that a scene shows instead of a computed one. Must live as
+/// long as the command.
+class RecordingOptions {
+ public:
+  void add_to(CLI::App& command);
+
+  /// Lets the scene show the recording, if one is given; `has_body` is whether the user named the
+  /// body of the scene. Throws InvalidArgument about the options, and what
+  /// replay::show_recording() throws.
+  void apply(scene::Scene& scene, bool has_body) const;
+
+ private:
+  void require_no_others() const;
+
+  CLI::App* command_ = nullptr;  ///< Null if the command has no such options.
+  std::string file_, from_, to_;
+  ConventionOptions convention_;
+};
+
+}  // namespace twrench::app

@@ -1,0 +1,248 @@
+#include "replay/replay.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <twrench/base/error.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/enumeration.h"
+#include "check/report/checked_file.h"
+#include "check/report/choice.h"
+#include "check/report/result.h"
+#include "check/verdict/error.h"
+#include "check/verdict/flips.h"
+#include "recording/motion_of_rows.h"
+#include "scene/limits.h"
+#include "scene/natural_times.h"
+#include "scene/shown_recording.h"
+#include "system/sha256.h"
+
+namespace twrench::replay {
+namespace {
+
+using motion::RecordedMotion;
+using recording::Recording;
+using scene::Feature;
+
+/// What is drawn from the constants of a free motion.
+constexpr std::array of_free_motion{Feature::momentum, Feature::plane, Feature::sphere,
+                                    Feature::poinsot,  Feature::phase, Feature::forces,
+                                    Feature::torques,  Feature::tip,   Feature::tilt};
+
+void require_one_motion(const scene::Scene& scene, const std::string& name) {
+  if (!scene.shots.empty()) {
+    throw InvalidArgument(name, "the shots of " + scene.name + " have motions of their own",
+                          "name a scene without shots, or a mesh");
+  }
+  if (!scene.overlay.compare_omega.empty() || !scene.overlay.compare_wheel.empty()) {
+    throw InvalidArgument(name, "it has one start, but motions with others are to be compared",
+                          "compare methods, such as exact");
+  }
+  if (scene.overlay.compare.size() >= scene::limits::max_compared) {
+    throw InvalidArgument(name,
+                          fmt::format("at most {} motions are drawn side by side, and it is one",
+                                      scene::limits::max_compared),
+                          "compare fewer methods");
+  }
+  if (scene.camera.frame == scene::Frame::rotating) {
+    throw InvalidArgument(name, "the rotating frame is that of a free motion",
+                          "choose the frame space or body");
+  }
+}
+
+/// Compares the recording with the free motion that fits it best; nothing if none can be fitted.
+std::optional<check::CheckedFile> judged(const scene::Scene& scene, const Recording& recording,
+                                         const recording::Convention& given) try {
+  if (!scene.motion.is_rigid()) return std::nullopt;
+  check::Problem problem{.inertia = scene::mass_properties(scene.body).inertia};
+  problem.omega_time.reset();
+  problem.fit = true;
+  return check::check_files(1, [&](std::size_t) { return recording; }, {}, given, problem, {})
+      .files.front();
+} catch (const check::CheckError&) {
+  return std::nullopt;  // a body at rest, or no free motion
+}
+
+/// Whether the body moves as a free one, up to errors.
+bool follows(const std::optional<check::CheckedFile>& file) {
+  if (!file) return false;
+  using enum check::Finding;
+  switch (check::verdict(*file).finding) {
+    case exact:
+    case noise:
+    case start:
+    case integration:
+      return true;
+    case convention:
+    case body:
+    case law:
+    case inconsistent:
+      return false;
+  }
+  return false;
+}
+
+std::string digest_of(const RecordedMotion& motion) {
+  std::vector<std::uint8_t> bytes;
+  const auto add = [&](std::span<const double> numbers) {
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(numbers.data());
+    bytes.insert(bytes.end(), first, first + numbers.size_bytes());
+  };
+  bytes.reserve(8 * sizeof(double) * motion.instants().size());
+  for (const RecordedMotion::Instant& instant : motion.instants()) {
+    add({&instant.t, 1});
+    add({instant.X.coeffs().data(), 4});
+    add({instant.omega.data(), 3});
+  }
+  return system::sha256_hex(bytes);
+}
+
+std::vector<double> flips_of(const RecordedMotion& motion, const check::Reference& reference) {
+  check::FlipFinder finder(reference);
+  for (const RecordedMotion::Instant& instant : motion.instants()) {
+    finder.add(instant.t, instant.omega);
+  }
+  std::vector<double> times;
+  for (const check::SignChange& change : finder.finish()) times.push_back(change.t);
+  return times;
+}
+
+/// Removes what needs a free motion, and returns the names of what was removed.
+std::vector<std::string> leave_out(std::set<Feature>& features) {
+  std::vector<std::string> names;
+  for (const Feature feature : of_free_motion) {
+    if (features.erase(feature) > 0) names.emplace_back(enumerator_name(feature));
+  }
+  return names;
+}
+
+/// A box, which is drawn for a body that is not known.
+scene::Body unknown_body() {
+  scene::Body body;
+  body.inertia = Eigen::Vector3d(2, 3, 4.5).asDiagonal();
+  return body;
+}
+
+std::string why_not_free(const std::string& name, Body body,
+                         const std::optional<check::CheckedFile>& file) {
+  switch (body) {
+    case Body::unknown:
+      return "the body is not given, by a scene, a mesh or its inertia";
+    case Body::known:
+      break;
+  }
+  if (file) return fmt::format("{} {}", name, check::verdict(*file).text);
+  return fmt::format("no free motion of this body can be fitted to {}", name);
+}
+
+std::vector<std::string> notes_on(const recording::MotionOfRows& shown, const std::string& file) {
+  std::vector<std::string> notes;
+  if (!shown.has_attitude) {
+    notes.push_back(fmt::format(
+        "{} has no attitude: it is the integral of the rates, from the scene's attitude, with an "
+        "estimated error of {:.2g} degrees at the end",
+        file, shown.drift * 180 / std::numbers::pi));
+  }
+  if (shown.gaps > 0) {
+    notes.push_back(
+        fmt::format("{} has {} gap{} of more than four intervals, in which the body is "
+                    "held",
+                    file, shown.gaps, shown.gaps == 1 ? "" : "s"));
+  }
+  return notes;
+}
+
+/// Whether the first row is worse than a fit to all: it has noise, or no rates. Otherwise the
+/// errors are those of an integrator, which grow; a fit would distribute them over all rows.
+bool is_first_row_poor(const check::Judgement& judgement) {
+  return !judgement.has_rates || judgement.noise.rate > 0 || judgement.noise.attitude > 0;
+}
+
+/// Sets the start of the free motion: that of the first row, or the fitted one.
+void set_start(scene::Motion& motion, const std::optional<check::CheckedFile>& file,
+               const RecordedMotion& recorded, bool has_attitude) {
+  motion.omega = recorded.instants().front().omega;
+  Eigen::Quaterniond X(recorded.instants().front().X);
+  if (file && file->judgement.fit && is_first_row_poor(file->judgement)) {
+    const check::Reference& fitted = file->judgement.fit->reference;
+    motion.omega = fitted.body.omega();
+    if (has_attitude) X = Eigen::Quaterniond(fitted.frame);
+  }
+  motion.attitude = X.normalized();
+}
+
+}  // namespace
+
+void show_recording(scene::Scene& scene, const Recording& recording,
+                    const recording::Convention& given, Body body) {
+  const std::string& name = recording.name();
+  require_one_motion(scene, name);
+  std::optional<check::CheckedFile> file;
+  switch (body) {
+    case Body::known:
+      file = judged(scene, recording, given);
+      break;
+    case Body::unknown:
+      scene::replace_body(scene, unknown_body());
+      scene.name = std::filesystem::path(name).stem().string();
+      break;
+  }
+  const recording::Convention convention =
+      file ? file->judgement.convention : check::choose_convention(recording, given, std::nullopt);
+  recording::MotionOfRows shown = recording::motion_of_rows(
+      recording, convention, scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()));
+  set_start(scene.motion, file, shown.motion, shown.has_attitude);
+
+  std::vector<std::string> notes = notes_on(shown, name);
+  if (!follows(file)) {
+    const std::vector<std::string> omitted = leave_out(scene.overlay.show);
+    if (!omitted.empty()) {
+      notes.push_back(fmt::format("{}, so these are left out: {}", why_not_free(name, body, file),
+                                  fmt::join(omitted, ", ")));
+    }
+  }
+  std::vector<double> flips;
+  if (file) flips = flips_of(shown.motion, file->judgement.reference);
+  const std::string digest = digest_of(shown.motion);
+  scene.motion.recording = std::make_shared<const scene::ShownRecording>(
+      scene::ShownRecording{.file = name,
+                            .path = name,
+                            .motion = std::move(shown.motion),
+                            .flip_times = std::move(flips),
+                            .sha256 = digest,
+                            .drift = shown.drift,
+                            .has_body = body == Body::known,
+                            .verdict = file ? check::verdict(*file).text : "",
+                            .notes = std::move(notes)});
+  std::vector<std::string>& compared = scene.overlay.compare;
+  if (!compared.empty()) compared.insert(compared.begin(), scene::recorded_name);
+  if (scene.origins.title != scene::Origin::user) {
+    scene.title = std::filesystem::path(name).filename().string();
+  }
+  for (const auto member : scene::all_origins) {
+    scene::Origin& origin = scene.origins.*member;
+    if (origin == scene::Origin::scene) origin = scene::Origin::none;
+  }
+}
+
+void require_recorded(const scene::Scene& scene) {
+  if (!scene.motion.recording) return;
+  const double end = scene.motion.recording->motion.duration(), asked = scene.motion.duration;
+  constexpr double rounding = 1e-9;
+  if (asked <= end * (1 + rounding)) return;
+  throw InvalidArgument(scene.motion.recording->file,
+                        fmt::format("it lasts {:.6g} s, but {:.6g} s are to be shown", end, asked),
+                        "ask for a shorter duration, or leave it out");
+}
+
+}  // namespace twrench::replay

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "recording/conventions/convention.h"
+#include "recording/recording.h"
+#include "scene/scene.h"
+
+namespace twrench::replay {
+
+/// Whether the body whose motion was recorded is that of the scene, or not known.
+enum class Body { known, unknown };
+
+/// Lets the scene show a recorded motion of its body: sets Motion::recording, the initial condition
+/// of the free motion that fits it, and the title. With Overlay::compare, the recorded motion comes
+/// first. The times that the author chose for another motion no longer apply. Overlays that need a
+/// free motion are left out, with a note, if the recording does not follow one. If the body is not
+/// known, the scene gets a box and the name of the recording, and no free motion is fitted.
+///
+/// `given` is how the recording is to be read, as far as that is known. A recording without
+/// attitudes starts in that of the scene. Throws as check::choose_convention and
+/// recording::motion_of_rows do, and InvalidArgument about the recording if the scene has shots or
+/// shows motions that differ in their start.
+void show_recording(scene::Scene& scene, const recording::Recording& recording,
+                    const recording::Convention& given, Body body = Body::known);
+
+/// Throws InvalidArgument about the recording if the scene shows more than it has.
+void require_recorded(const scene::Scene& scene);
+
+}  // namespace twrench::replay
