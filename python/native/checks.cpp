@@ -27,7 +27,10 @@
 #include "output.h"
 #include "plot/check_plot.h"
 #include "recording/conventions/convention.h"
+#include "replay/replay.h"
+#include "scene/interior.h"
 #include "scene/limits.h"
+#include "scene/natural_times.h"
 #include "system/file.h"
 #include "table/reader.h"
 
@@ -107,6 +110,17 @@ std::function<recording::Recording()> opener_of(const Source& source) {
   return [&name = name, columns = std::move(columns), rows] {
     return recording::Recording(table::open_table(name, columns, rows));
   };
+}
+
+/// Lets the scene show the recording for its whole duration, unless the caller gave another.
+void show_recording(scene::Scene& scene, const Source& source, const Given& given) {
+  const std::function<recording::Recording()> open = opener_of(source);
+  const py::gil_scoped_release others_run;
+  on_scene([&] {
+    replay::show_recording(scene, open(), convention_of(given));
+    scene::set_natural_times(scene);
+    scene::check_shown_motion(scene);
+  });
 }
 
 /// Reads a recording in the convention that is given, or that its names determine. Returns the time
@@ -224,6 +238,7 @@ void add_checks(py::module_& module) {
       .def_readonly("text", &CheckReports::text)
       .def_readonly("junit", &CheckReports::junit);
   module.def("read_recording", &read_recording);
+  module.def("show_recording", &show_recording);
   module.def("check", &check_recordings);
   module.def("compare", &compare_pictures);
 }

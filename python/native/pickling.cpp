@@ -123,6 +123,10 @@ py::tuple sound_state(const scene::SoundFile& sound) {
 }
 
 py::tuple Writer::scene(const Scene& from) {
+  if (from.motion.recording) {
+    throw InvalidArgument("the scene", "it shows a recording, which is not pickled",
+                          "pickle the recording, and show it in the scene again");
+  }
   py::dict values;
   for (const scene::Field& field : scene::fields()) {
     const nlohmann::ordered_json value = field.get(from);

@@ -21,6 +21,7 @@
 #include "scene/scene_json.h"
 #include "scene/scene_schema.h"
 #include "scene/scene_values.h"
+#include "scene/shown_recording.h"
 #include "scene/video_length.h"
 #include "timeline/film_timeline.h"
 
@@ -93,6 +94,9 @@ Scene scene_of_mesh(const std::string& file, std::optional<double> scale,
 
 std::vector<std::string> scene_notes(const Scene& scene) {
   std::vector<std::string> notes = mesh_notes(scene);
+  if (const auto& recording = scene.motion.recording) {
+    notes.insert(notes.end(), recording->notes.begin(), recording->notes.end());
+  }
   if (!scene.body.inertia) return notes;
   if (const auto note = scene::unreal_moments_note(scene.name, *scene.body.inertia)) {
     notes.push_back(*note);
@@ -134,6 +138,8 @@ void add_scenes(py::module_& module) {
                     return on_scene([&] { return scene::parse_scene(toml, source); });
                   })
       .def_readonly("name", &Scene::name)
+      .def_property_readonly("shows_recording",
+                             [](const Scene& scene) { return scene.motion.recording != nullptr; })
       .def("get", &get_value)
       .def("set", &set_value)
       .def("set_number",  // which JSON cannot do for infinity

@@ -225,6 +225,7 @@ def case_json(name: str) -> str: ...
 
 class Scene:
     body: Body
+    shows_recording: bool
     def __init__(self, other: Scene) -> None: ...
     @staticmethod
     def load(name: str, language: str | None = None) -> Scene: ...
@@ -321,6 +322,11 @@ def read_recording(
     convention: Mapping[str, str | bool | _Array],
     inertia: _Array | None,
 ) -> tuple[float, _Array, _Array, _Array]: ...
+def show_recording(
+    scene: Scene,
+    source: str | tuple[str, list[tuple[str, _Array]]],
+    convention: Mapping[str, str | bool | _Array],
+) -> None: ...
 def check(
     sources: list[str | tuple[str, list[tuple[str, _Array]]]],
     steps: list[float],

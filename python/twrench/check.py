@@ -132,6 +132,11 @@ class Recording:
         self.X = X.reshape(-1, 3, 3) if len(X) else None
 
     @property
+    def _origin(self) -> tuple[Source, Convention]:
+        """What it was read from, and how."""
+        return self._source, self._convention
+
+    @property
     def quaternion_wxyz(self) -> Array | None:
         """X as unit quaternions (w, x, y, z), (n, 4); None if there are no attitudes.
 

@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from . import _arguments, _native, plots
 from ._arguments import Array
 from .body import Body
+from .check import Recording
 from .errors import FileError, SceneError, UsageError
 from .film import Film, Picture, Progress, frame_range, quality, reporting
 from .motion import Motion, simulate
@@ -199,6 +200,9 @@ class Scene:
     :param density: density of a mesh in g/cm^3; 1 unless it or the mass is given.
     :param mass: mass of a mesh in g, instead of ``density``.
     :param body: a body that replaces that of the scene.
+    :param motion: a :class:`Recording` that the scene shows instead of a computed motion. Frames, films
+        and exports then show it; ``compare=["exact"]`` shows the free motion beside it. What needs
+        the free motion of the body is left out, with a warning, if the recording does not follow it.
     :param unknown: no other arguments are accepted; the error proposes the nearest name.
     :raises SceneError: for a mistake; the message names file, line and key.
     :raises FileError: if the file cannot be read.
@@ -271,6 +275,7 @@ class Scene:
         density: float | None = None,
         mass: float | None = None,
         body: Body = UNSET,
+        motion: Recording = UNSET,
         title: str = UNSET,
         language: LanguageName | str = UNSET,
         omega: Numbers = UNSET,
@@ -340,7 +345,8 @@ class Scene:
             warnings.warn(note, stacklevel=2)
         self._original = _native.Scene(self._native)
         self._drawer: _native.FrameDrawer | None = None
-        values = {key: given[key] for key in ("body", *_keys(), "length") if given[key] is not UNSET}
+        keys = ("body", *_keys(), "motion", "length")
+        values = {key: given[key] for key in keys if given[key] is not UNSET}
         self._set_all(values | unknown)
 
     @classmethod
@@ -371,16 +377,34 @@ class Scene:
         if "body" in values:  # first, because it resets the title and the times
             self.body = values["body"]
         for key, value in values.items():
-            if key in ("body", "length"):
+            if key in ("body", "motion", "length"):
                 continue
             if isinstance(getattr(type(self), key, None), _Value):
                 setattr(self, key, value)
             else:
                 self._native.set(key, "null")  # raises an error that lists the keys
+        if "motion" in values:  # after what it is compared with
+            self._show_recording(values["motion"])
         if "length" in values:  # last, because it follows from the others or determines one of them
             if "duration" in values and "speed" in values:
                 raise SceneError("length: duration and speed determine it; leave out one of the three")
             self._set_length(values["length"], "duration" in values)
+
+    def _show_recording(self, recording: Any) -> None:
+        source, convention = _arguments.instance("motion", recording, Recording)._origin
+        before = self._native.notes()
+        _native.show_recording(self._native, source, convention)
+        for note in self._native.notes():
+            if note not in before:
+                warnings.warn(note, stacklevel=4)
+        self._drawer = None
+
+    def _require_computed(self, result: str) -> None:
+        if self._native.shows_recording:
+            raise SceneError(
+                f"motion: {result} of the free motion is not one of the recording that the scene shows",
+                "use a scene without the recording",
+            )
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_") and not hasattr(type(self), name):
@@ -452,6 +476,7 @@ class Scene:
         :raises UsageError: for a wrong argument.
         :raises MotionError: if the method fails.
         """
+        self._require_computed("the simulation")
         if times is None and span is None and fps is None:
             times = self._own_times() if self._native.has_shots() else self.times
         return simulate(
@@ -564,7 +589,7 @@ class Scene:
         """
         try:
             html = self._page("", has_article=False).html
-        except UsageError:  # It has shots or an attitude, which pages do not support.
+        except UsageError:  # It has shots, an attitude or a recording, which pages do not support.
             return None
         except FileError:  # This build has no page.
             return None
@@ -575,6 +600,7 @@ class Scene:
         return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{text}"></iframe>'
 
     def _page(self, template: str, *, has_article: bool) -> _native.Page:
+        self._require_computed("a page")
         words = _mesh_words(self._of_mesh)
         page = _native.page(
             self._snapshot(), self._original, self._source, words, template, has_article
@@ -636,6 +662,7 @@ class Scene:
         :raises OverwriteError: if another file would be replaced.
         :raises Error: if gnuplot, which draws the figures, is missing or fails.
         """
+        self._require_computed("a report")
         return write_report([self], path, author, date, static, overwrite, solves_tasks=False)
 
     def export(
@@ -692,6 +719,7 @@ class Scene:
         :raises OverwriteError: if another file would be replaced.
         :raises Error: if gnuplot is needed, but is missing or fails.
         """
+        self._require_computed("a plot")
         if path is not None:
             output = self._output("plot", path, overwrite)
             _native.draw_plot([self._snapshot()], output, bool(overlay))

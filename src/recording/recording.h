@@ -31,7 +31,9 @@ class Recording {
   explicit Recording(std::unique_ptr<table::Reader> table)
       : table_(with_derived_times(std::move(table))) {}
   /// Opens a file. Throws what table::open_table throws.
-  explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {}
+  explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {
+    path_ = file;
+  }
 
   /// The same recording, of which only these rows are read.
   Recording between(const Extract& extract) const {
@@ -44,6 +46,9 @@ class Recording {
   /// The path of the file, or the name that messages give to a table in memory.
   const std::string& name() const { return header().file; }
 
+  /// The path of the file; empty for a table in memory.
+  const std::filesystem::path& path() const { return path_; }
+
   /// Begins a pass over the rows, which ends the one before. Throws as RowReader does.
   RowReader rows(const Convention& convention) const { return {table_, convention, extract_}; }
 
@@ -53,6 +58,7 @@ class Recording {
 
  private:
   std::shared_ptr<table::Reader> table_;
+  std::filesystem::path path_;
   Extract extract_;
   mutable RowSample first_rows_;
 };

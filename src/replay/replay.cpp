@@ -145,6 +145,19 @@ std::string why_not_free(const std::string& name, Body body,
   return fmt::format("no free motion of this body can be fitted to {}", name);
 }
 
+/// Throws InvalidArgument if the scene shows more of a free motion than can be left out.
+void require_no_free_motion(const scene::Scene& scene, const std::string& name,
+                            const std::string& why) {
+  const char* const remedy =
+      "name the body by a scene, a mesh or its inertia, or show the view wrench";
+  if (scene.overlay.view != scene::View::wrench) {
+    throw InvalidArgument(name,
+                          fmt::format("the view {} is that of a free motion, but {}",
+                                      enumerator_name(scene.overlay.view), why),
+                          remedy);
+  }
+}
+
 std::vector<std::string> notes_on(const recording::MotionOfRows& shown, const std::string& file) {
   std::vector<std::string> notes;
   if (!shown.has_attitude) {
@@ -193,6 +206,10 @@ void show_recording(scene::Scene& scene, const Recording& recording,
       file = judged(scene, recording, given);
       break;
     case Body::unknown:
+      if (!scene.overlay.compare.empty()) {
+        throw InvalidArgument(name, "the body is not given, so no motion can be compared with it",
+                              "name a scene or a mesh, or give its inertia");
+      }
       scene::replace_body(scene, unknown_body());
       scene.name = std::filesystem::path(name).stem().string();
       break;
@@ -205,6 +222,7 @@ void show_recording(scene::Scene& scene, const Recording& recording,
 
   std::vector<std::string> notes = notes_on(shown, name);
   if (!follows(file)) {
+    require_no_free_motion(scene, name, why_not_free(name, body, file));
     const std::vector<std::string> omitted = leave_out(scene.overlay.show);
     if (!omitted.empty()) {
       notes.push_back(fmt::format("{}, so these are left out: {}", why_not_free(name, body, file),
@@ -216,7 +234,7 @@ void show_recording(scene::Scene& scene, const Recording& recording,
   const std::string digest = digest_of(shown.motion);
   scene.motion.recording = std::make_shared<const scene::ShownRecording>(
       scene::ShownRecording{.file = name,
-                            .path = name,
+                            .path = recording.path(),
                             .motion = std::move(shown.motion),
                             .flip_times = std::move(flips),
                             .sha256 = digest,
@@ -233,16 +251,6 @@ void show_recording(scene::Scene& scene, const Recording& recording,
     scene::Origin& origin = scene.origins.*member;
     if (origin == scene::Origin::scene) origin = scene::Origin::none;
   }
-}
-
-void require_recorded(const scene::Scene& scene) {
-  if (!scene.motion.recording) return;
-  const double end = scene.motion.recording->motion.duration(), asked = scene.motion.duration;
-  constexpr double rounding = 1e-9;
-  if (asked <= end * (1 + rounding)) return;
-  throw InvalidArgument(scene.motion.recording->file,
-                        fmt::format("it lasts {:.6g} s, but {:.6g} s are to be shown", end, asked),
-                        "ask for a shorter duration, or leave it out");
 }
 
 }  // namespace twrench::replay

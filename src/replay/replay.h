@@ -22,7 +22,4 @@ enum class Body { known, unknown };
 void show_recording(scene::Scene& scene, const recording::Recording& recording,
                     const recording::Convention& given, Body body = Body::known);
 
-/// Throws InvalidArgument about the recording if the scene shows more than it has.
-void require_recorded(const scene::Scene& scene);
-
 }  // namespace twrench::replay

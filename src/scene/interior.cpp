@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/enumeration.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::scene {
 namespace {
@@ -34,6 +35,16 @@ std::vector<std::string> meaningless_features(const Scene& scene) {
   return names;
 }
 
+void require_recorded(const Motion& motion) {
+  const double end = motion.recording->motion.duration();
+  constexpr double rounding = 1 + 1e-9;
+  if (motion.duration <= end * rounding) return;
+  throw InvalidArgument(
+      motion.recording->file,
+      fmt::format("it lasts {:.6g} s, but {:.6g} s are to be shown", end, motion.duration),
+      "ask for a shorter duration, or leave it out");
+}
+
 }  // namespace
 
 void check_interior(const Scene& scene,
@@ -48,6 +59,7 @@ void check_interior(const Scene& scene,
 }
 
 void check_shown_motion(const Scene& film) {
+  if (film.motion.recording) require_recorded(film.motion);
   const auto require = [](bool is_shown, const std::string& key, const std::string& what,
                           const std::string& remedy) {
     if (is_shown) return;

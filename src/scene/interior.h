@@ -28,7 +28,7 @@ void check_interior(const Scene& scene,
 void require_rigid(const Scene& scene, const std::string& what);
 
 /// Throws InvalidArgument if a scene whose body is not rigid, or such a shot, shows something in
-/// its film that has a meaning only for rigid bodies.
+/// its film that has a meaning only for rigid bodies, or if a film shows more than is recorded.
 void check_shown_motion(const Scene& film);
 
 }  // namespace twrench::scene

@@ -75,6 +75,20 @@ WITHOUT_ARGUMENT = {
     "study --max-energy-drift": "StudyRun.energy_drift",
     "study --max-flip-error": "StudyRun.flip_error",
 }
+#: A recording's own options, in the commands that show one.
+OF_RECORDINGS = {
+    "--from": "a part of the arrays of a Recording",
+    "--to": "a part of the arrays of a Recording",
+}
+OF_RECORDINGS |= dict.fromkeys(
+    "--columns --time-unit --units --angle-units --sequence --inverse --rates --axes --offset".split(),
+    "Recording.read(...), as in Scene(motion=recording)",
+)
+WITHOUT_ARGUMENT |= {
+    f"{command} {option}": reason
+    for command in ("render", "simulate", "export")
+    for option, reason in OF_RECORDINGS.items()
+}
 #: A recording that can be checked.
 GOOD = {"t": [0, 1, 2, 3], "wx": 4 * [1], "wy": 4 * [0], "wz": 4 * [0]}
 #: Commands about the program and its machine, which have no counterpart.

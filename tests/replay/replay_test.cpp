@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/interior.h"
 #include "scene/natural_times.h"
 #include "scene/scene_json.h"
 #include "scene/shown_recording.h"
@@ -193,7 +194,7 @@ TEST(ShowRecording, ChangesTheSceneWithEachRow) {
 std::string refusal(scene::Scene scene) {
   try {
     show(scene, table_of(tumbling(), 20, 101));
-    require_recorded(scene);
+    scene::check_shown_motion(scene);
   } catch (const InvalidArgument& error) {
     return error.what();
   }
@@ -214,7 +215,17 @@ TEST(ShowRecording, RefusesWhatItCannotShow) {
   scene.camera.frame = scene::Frame::space;
   scene.motion.duration = 21;
   scene.origins.duration = scene::Origin::user;
+  scene.overlay.view = scene::View::poinsot;
+  scene.body.inertia = Vector3d(3, 2, 4.5).asDiagonal();  // not that of the recording
+  EXPECT_THAT(refusal(scene), HasSubstr("the view poinsot is that of a free motion, but run.csv"));
+  scene.overlay.view = scene::View::wrench;
   EXPECT_EQ(refusal(scene), "run.csv: it lasts 20 s, but 21 s are to be shown");
+}
+
+TEST(ShowRecording, ComparesNothingWithABodyThatIsNotKnown) {
+  scene::Scene scene = scene::load_scene("dzhanibekov");
+  scene.overlay.compare = {"exact"};
+  EXPECT_THROW(show(scene, table_of(tumbling(), 20, 101), Body::unknown), InvalidArgument);
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "app/options/option_group.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
-#include "replay/replay.h"
 #include "scene/fields.h"
 #include "scene/interior.h"
 #include "scene/languages.h"
@@ -310,7 +309,6 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
     recording_.apply(scene, is_body_given());
     scene::set_natural_times(scene);
     set_length(scene);
-    replay::require_recorded(scene);
     // Neutral titles are alike, so the scene's name tells them apart.
     const bool is_neutral = scene.origins.title == scene::Origin::none && !scene.title.empty();
     if (is_neutral && names_.size() > 1) scene.title += ": " + scene.name;

@@ -1,0 +1,83 @@
+"""Scenes that show recordings."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import twrench
+from twrench import Body, Recording, Scene, UsageError
+
+BODY = Body(moments=[2, 3, 4.5])
+START = (0.3, 2, 0.4)
+SIZE = (160, 90)
+
+
+def recorded(count: int = 401) -> Recording:
+    motion = twrench.simulate(BODY, START, np.linspace(0, 20, count), "exact")
+    return Recording(motion.t, motion.omega, motion.X)
+
+
+def test_frames_show_the_recording():
+    scene = Scene(body=BODY, motion=recorded(), size=SIZE)
+    free = Scene(body=BODY, omega=START, method="exact", size=SIZE, duration=20, speed=1)
+    free.title = scene.title
+    assert scene.duration == 20 and scene.speed == 1
+    for index in (0, 300, 900):
+        difference = scene.frame(index).astype(int) - free.frame(index)
+        # The reading and the interpolation are not exact, and the count of flips is the same.
+        assert np.abs(difference).max() <= 16
+
+
+def test_the_program_draws_the_same_frames(program, tmp_path):
+    file = tmp_path / "run.csv"
+    motion = twrench.simulate(BODY, START, np.linspace(0, 20, 401), "exact")
+    motion.save(file)
+    scene = Scene(body=BODY, motion=Recording.read(file), size=SIZE, compare=["exact"])
+    scene.render(frames_dir=tmp_path / "python", frames="0-900:300", progress=False)
+    options = ["--inertia", "2,3,4.5", "--motion", file, "--compare", "exact", "--size", "160x90"]
+    program("render", *options, "--no-video", "--frames-dir", tmp_path / "program", "--frames", "0-900:300")
+    for name in ("frame_000000.png", "frame_000300.png", "frame_000900.png"):
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "program" / name).read_bytes()
+
+
+def test_what_needs_a_free_motion_is_left_out_with_a_warning():
+    motion = recorded()
+    wrong = Recording(motion.t, np.tile(START, (len(motion), 1)), motion.X)
+    with pytest.warns(UserWarning, match="left out: momentum, sphere"):
+        scene = Scene(body=BODY, motion=wrong, size=SIZE)
+    assert "momentum" not in scene.show and "omega" in scene.show
+
+
+def test_results_of_the_free_motion_are_refused(tmp_path):
+    scene = Scene(body=BODY, motion=recorded(), size=SIZE)
+    for refused in (
+        scene.simulate,
+        lambda: scene.page(tmp_path / "a.html"),
+        lambda: scene.report(tmp_path / "a.html"),
+        lambda: scene.plot(tmp_path / "a.svg"),
+    ):
+        with pytest.raises(UsageError, match="the scene shows a recording|recording that the scene"):
+            refused()
+    assert list(tmp_path.iterdir()) == []
+    with pytest.raises(UsageError, match="not pickled"):
+        pickle.dumps(scene)
+
+
+def test_a_film_may_not_be_longer_than_the_recording():
+    scene = Scene(body=BODY, motion=recorded(), size=SIZE)
+    scene.duration = 21
+    with pytest.raises(UsageError, match="it lasts 20 s, but 21 s are to be shown"):
+        scene.frame(0)
+    with pytest.raises(UsageError, match="motion: must be a"):
+        Scene(body=BODY, motion="run.csv")
+
+
+def test_export_is_a_converter(tmp_path):
+    scene = Scene(body=BODY, motion=recorded())
+    for name in ("a.csv", "a.json", "a.aem"):
+        file = scene.export(tmp_path / name)
+        assert twrench.check(file, BODY).verdict.startswith(("follows", "has no detectable", "off by up"))
+    assert scene.export(tmp_path / "a.glb").stat().st_size > 1000
