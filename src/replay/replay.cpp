@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <twrench/base/error.h>
+#include <twrench/motion/exact.h>
 
 #include <algorithm>
 #include <array>
@@ -60,17 +61,43 @@ void require_one_motion(const scene::Scene& scene, const std::string& name) {
   }
 }
 
-/// Compares the recording with the free motion that fits it best; nothing if none can be fitted.
+bool is_first_row_noisy(const check::Judgement& judgement) {
+  return judgement.noise.rate > 0 || judgement.noise.attitude > 0;
+}
+
+/// Whether the errors are noise, rather than those of an integrator, which grow: a fit would
+/// distribute them over all rows.
+bool is_explained_by_noise(const check::Judgement& judgement) {
+  constexpr double much = 3;  // the largest of three components, and the error of the fit
+  return judgement.within_noise ||
+         (judgement.rates && judgement.rates->rms <= much * judgement.noise.rate);
+}
+
+/// Compares the recording with the free motion from its first row or, if that has noise or no
+/// rates, with the one that fits all rows best; nothing if there is none.
 std::optional<check::CheckedFile> judged(const scene::Scene& scene, const Recording& recording,
                                          const recording::Convention& given) try {
   if (!scene.motion.is_rigid()) return std::nullopt;
   check::Problem problem{.inertia = scene::mass_properties(scene.body).inertia};
   problem.omega_time.reset();
+  const auto judge = [&] {
+    return check::check_files(1, [&](std::size_t) { return recording; }, {}, given, problem, {})
+        .files.front();
+  };
+  check::CheckedFile file = judge();
+  if (file.judgement.fit || !is_first_row_noisy(file.judgement)) return file;
   problem.fit = true;
-  return check::check_files(1, [&](std::size_t) { return recording; }, {}, given, problem, {})
-      .files.front();
+  check::CheckedFile fitted = judge();
+  return is_explained_by_noise(fitted.judgement) ? fitted : file;
 } catch (const check::CheckError&) {
   return std::nullopt;  // a body at rest, or no free motion
+}
+
+/// Whether the body keeps its angular momentum, up to errors.
+bool keeps_momentum(const check::Judgement& judgement) {
+  constexpr double most = 0.1;
+  return judgement.momentum_drift.value_or(0) <= most &&
+         judgement.direction_drift.value_or(0) <= most;
 }
 
 /// Whether the body moves as a free one, up to errors.
@@ -82,7 +109,7 @@ bool follows(const std::optional<check::CheckedFile>& file) {
     case noise:
     case start:
     case integration:
-      return true;
+      return keeps_momentum(file->judgement);
     case convention:
     case body:
     case law:
@@ -107,7 +134,11 @@ std::string digest_of(const RecordedMotion& motion) {
   return system::sha256_hex(bytes);
 }
 
+/// The flips of a body that would turn over in free motion. Of others, the component of omega along
+/// the intermediate axis changes its sign as they wobble.
 std::vector<double> flips_of(const RecordedMotion& motion, const check::Reference& reference) {
+  const auto flips = motion::ExactMotion(reference.body).flips();
+  if (!flips || !flips->turns_over()) return {};
   check::FlipFinder finder(reference);
   for (const RecordedMotion::Instant& instant : motion.instants()) {
     finder.add(instant.t, instant.omega);
@@ -175,18 +206,12 @@ std::vector<std::string> notes_on(const recording::MotionOfRows& shown, const st
   return notes;
 }
 
-/// Whether the first row is worse than a fit to all: it has noise, or no rates. Otherwise the
-/// errors are those of an integrator, which grow; a fit would distribute them over all rows.
-bool is_first_row_poor(const check::Judgement& judgement) {
-  return !judgement.has_rates || judgement.noise.rate > 0 || judgement.noise.attitude > 0;
-}
-
 /// Sets the start of the free motion: that of the first row, or the fitted one.
 void set_start(scene::Motion& motion, const std::optional<check::CheckedFile>& file,
                const RecordedMotion& recorded, bool has_attitude) {
   motion.omega = recorded.instants().front().omega;
   Eigen::Quaterniond X(recorded.instants().front().X);
-  if (file && file->judgement.fit && is_first_row_poor(file->judgement)) {
+  if (file && file->judgement.fit) {
     const check::Reference& fitted = file->judgement.fit->reference;
     motion.omega = fitted.body.omega();
     if (has_attitude) X = Eigen::Quaterniond(fitted.frame);

@@ -59,9 +59,7 @@ class Figures {
   }
   /// The angle between the first motion and another.
   Readout angle(std::size_t solution) const {
-    return {phrase(compact_ ? Phrase("off by", "avvik")
-                            : Phrase("off the recorded attitude", "avvik fra målt stilling")),
-            "180.00°", [solution](const timeline::FrameState& m) {
+    return {phrase({"off by", "avvik"}), "180.0°", [solution](const timeline::FrameState& m) {
               return hud_text::degrees(m.solutions[0].sample, m.solutions[solution].sample);
             }};
   }
@@ -173,10 +171,11 @@ void Typesetter::add_legend(std::size_t solution) {
   const motion::FreeBody& body = solutions_[solution].body;
   std::vector<Readout> row;
   if (!scene_.overlay.compare.empty()) {
+    const bool is_beside_recording = scene_.motion.recording && solution > 0;
+    if (is_beside_recording) row.push_back(figures_.angle(solution));
     // An energy that is lost is no error.
     if (body.energy_loss() == 0) row.push_back(figures_.energy_drift(solution));
     if (!scene_.motion.recording) row.push_back(figures_.orthogonality(solution));
-    if (scene_.motion.recording && solution > 0) row.push_back(figures_.angle(solution));
   }
   const bool has_flips = body.energy_loss() == 0;
   if (has_flips && (!row.empty() || shows(scene::Feature::hud))) {
