@@ -172,7 +172,7 @@ std::string why_not_free(const std::string& name, Body body,
     case Body::known:
       break;
   }
-  if (file) return fmt::format("{} {}", name, check::verdict(*file).text);
+  if (file) return name + " does not follow a free motion of this body";
   return fmt::format("no free motion of this body can be fitted to {}", name);
 }
 
