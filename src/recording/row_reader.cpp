@@ -20,6 +20,7 @@ struct RowReader::State {
   State(std::shared_ptr<table::Reader> opened, const Convention& meant, const Extract& part);
 
   bool next_of_extract();
+  void require_extract() const;
 
   void require_later(const Row& row) const;
   table::Calendar calendar() const;
@@ -56,11 +57,25 @@ RowReader::State::State(std::shared_ptr<table::Reader> opened, const Convention&
 bool RowReader::State::next_of_extract() {
   double since_start = 0;
   do {
-    if (!reader->next(numbers)) return false;
+    if (!reader->next(numbers)) {
+      require_extract();
+      return false;
+    }
     if (!start) start = numbers.front();
     since_start = decoder.seconds_between(*start, numbers.front());
   } while (since_start < extract.from);
-  return !(since_start > extract.to);
+  if (!(since_start > extract.to)) return true;  // decode() refuses times that are not finite
+  require_extract();
+  return false;
+}
+
+/// Throws BadTable if the table has rows, but none in the extract.
+void RowReader::State::require_extract() const {
+  if (!start || rows > 0) return;
+  throw table::BadTable(reader->header().file,
+                        fmt::format("no row is from {:.6g} to {:.6g} s after the first",
+                                    std::max(extract.from, 0.0), extract.to),
+                        "give other times");
 }
 
 void RowReader::State::require_later(const Row& row) const {

@@ -226,8 +226,10 @@ void show_recording(scene::Scene& scene, const Recording& recording,
   const std::string& name = recording.name();
   require_one_motion(scene, name);
   std::optional<check::CheckedFile> file;
+  std::optional<check::Problem> problem;
   switch (body) {
     case Body::known:
+      problem = check::Problem{.inertia = scene::mass_properties(scene.body).inertia};
       file = judged(scene, recording, given);
       break;
     case Body::unknown:
@@ -240,7 +242,11 @@ void show_recording(scene::Scene& scene, const Recording& recording,
       break;
   }
   const recording::Convention convention =
-      file ? file->judgement.convention : check::choose_convention(recording, given, std::nullopt);
+      file ? file->judgement.convention : check::choose_convention(recording, given, problem);
+  if (!problem && has_momentum(convention)) {
+    throw InvalidArgument(name, "it has the angular momentum instead of rates",
+                          "name the body: a scene, a mesh or its inertia");
+  }
   recording::MotionOfRows shown = recording::motion_of_rows(
       recording, convention, scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()));
   set_start(scene.motion, file, shown.motion, shown.has_attitude);

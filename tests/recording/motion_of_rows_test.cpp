@@ -167,7 +167,8 @@ TEST(MotionOfRows, RefusesWhatIsNoMotion) {
             "run.csv: 1 row to show, but a motion needs two");
   const std::string text = table_of(
       Contents::both, [](int i) { return 0.05 * i; }, 20);
-  EXPECT_EQ(why_not_shown(text, {.from = 5}), "run.csv: 0 rows to show, but a motion needs two");
+  EXPECT_THROW(motion_of(text, {.from = 5}), table::BadTable);
+  EXPECT_THROW(motion_of(text, {.from = 0.41, .to = 0.44}), table::BadTable);
   EXPECT_EQ(why_not_shown("t,wx,wy,wz\n0,1,2,3\n0.3,1,2,3\n0.6,12,0,0\n0.9,1,2,3\n"),
             "run.csv: the body turns by 206 degrees between two rows, 0.3 s after the first row, "
             "so its way is ambiguous");

@@ -1,0 +1,99 @@
+// Films, tables and exports of a recorded motion.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using testing::HasSubstr;
+
+/// A folder with the recording run.csv of a tennis racket, 2 s at 50 Hz.
+class MotionFile : public testing::Test {
+ protected:
+  MotionFile() {
+    const Outcome run = run_twrench(
+        folder_, "simulate tennis-racket --method exact --duration 2 --fps 50 -o run.csv");
+    EXPECT_EQ(run.code, 0) << run.err;
+  }
+
+  Outcome film(const std::string& options) const {
+    return run_twrench(folder_,
+                       "render tennis-racket --motion run.csv --size 160x90 --progress none "
+                       "--frames 0-4 --frames-dir f " +
+                           options);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(MotionFile, IsPartOfTheIdentityOfAFilm) {
+  ASSERT_EQ(film("-o v.mp4").code, 0);
+  const auto manifest = nlohmann::json::parse(text_of(folder_ / "f/manifest.json"));
+  const auto recording = manifest["scene"]["motion"]["recording"];
+  EXPECT_EQ(recording["file"], "run.csv");
+  EXPECT_EQ(recording["sha256"].get<std::string>().size(), 64U);
+  EXPECT_EQ(film("-o v.mp4 --resume").code, 0);
+  const Outcome other = film("-o v.mp4 --resume --from 0.5");
+  EXPECT_EQ(other.code, 5) << other.err;
+}
+
+TEST_F(MotionFile, IsNeverAnOutput) {
+  const std::string before = text_of(folder_ / "run.csv");
+  const Outcome run =
+      run_twrench(folder_, "export tennis-racket --motion run.csv -o ./run.csv --overwrite");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("is an input of this command"));
+  EXPECT_EQ(text_of(folder_ / "run.csv"), before);
+}
+
+TEST_F(MotionFile, ExcludesWhatComputesAMotion) {
+  for (const char* options :
+       {"--omega 1,2,3", "--method rk4", "--duration 3", "--compare-omega '1,0,0;0,1,0'",
+        "--frame rotating", "--from 5", "--from x", "--units deg --units rad", "--axes x,x,z"}) {
+    const Outcome run = film(std::string(options) + " --no-video");
+    EXPECT_EQ(run.code, 2) << options << run.err;
+    EXPECT_THAT(run.err, testing::StartsWith("twrench: error: ")) << options;
+  }
+  for (const char* option : {"--from 1", "--to 1", "--units deg", "--inverse"}) {
+    const Outcome run =
+        run_twrench(folder_, std::string("render --no-video --frames-dir g ") + option);
+    EXPECT_EQ(run.code, 2) << option;
+    EXPECT_THAT(run.err, HasSubstr("give the recording with --motion FILE")) << option;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f"));
+}
+
+TEST_F(MotionFile, IsConverted) {
+  for (const char* name : {"a.json", "a.aem"}) {
+    const std::string export_it = "export tennis-racket --motion run.csv --fps 50 -o ";
+    ASSERT_EQ(run_twrench(folder_, export_it + name).code, 0);
+    const Outcome judged = run_twrench(folder_, std::string("check --scene tennis-racket ") + name);
+    EXPECT_EQ(judged.code, 0) << judged.out << judged.err;
+  }
+  ASSERT_EQ(run_twrench(folder_, "export tennis-racket --motion run.csv -o a.glb").code, 0);
+  const Outcome beyond =
+      run_twrench(folder_, "simulate tennis-racket --motion run.csv --times 0,2.5");
+  EXPECT_EQ(beyond.code, 2);
+  EXPECT_THAT(beyond.err, HasSubstr("2.5 s is not among the 2 s that are recorded"));
+}
+
+TEST_F(MotionFile, WithGapsMarksThem) {
+  std::ofstream rows(folder_ / "gap.csv");
+  rows << "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n9,1,0,0,0\n10,1,0,0,0\n";
+  rows.close();
+  const Outcome run = run_twrench(
+      folder_, "render --motion gap.csv --size 160x90 --frames 0,300 --no-video --frames-dir g");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("gap.csv has 1 gap of more than four intervals"));
+  const Outcome model = run_twrench(folder_, "export --motion gap.csv -o a.glb");
+  EXPECT_EQ(model.code, 2);
+  EXPECT_THAT(model.err, HasSubstr("leave them out by --from and --to, or write .csv"));
+}
+
+}  // namespace
+}  // namespace twrench
