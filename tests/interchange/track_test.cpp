@@ -111,14 +111,17 @@ TEST(Track, OfEveryBodyIsWithinTheBoundAtAnyInstant) {
   }
 }
 
-// The last wheel makes omega nearly vanish during the motion.
+// The first wheel makes omega nearly vanish during the motion.
 TEST(Track, OfABodyWithAWheelOrAnEnergyLossIsWithinTheBound) {
   const Matrix3d inertia = Vector3d(500, 1000, 1300).asDiagonal(), space = Matrix3d::Identity();
   constexpr double never = std::numeric_limits<double>::infinity();
-  for (const motion::Interior& interior :
-       {motion::Interior{{0, 300, 0}, never}, motion::Interior{{2000, -100, 500}, never},
-        motion::Interior{Vector3d::Zero(), 10}, motion::Interior{{100, 200, 50}, 10},
-        motion::Interior{{-30, -940, 20}, never}}) {
+  std::vector<motion::Interior> interiors{{{-30, -940, 20}, never},
+                                          {{100, 200, 50}, 10},
+                                          {{0, 300, 0}, never},
+                                          {{2000, -100, 500}, never},
+                                          {Vector3d::Zero(), 10}};
+  if (has_sanitizers) interiors.resize(2);  // one with a wheel, one with both
+  for (const motion::Interior& interior : interiors) {
     expect_within_bounds(motion::FreeBody(inertia, {0.05, 1, 0}, space, interior));
   }
 }

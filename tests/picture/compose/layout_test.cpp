@@ -107,61 +107,54 @@ std::string text(const scene::Scene& scene) {
   return std::to_string(scene.film.width) + "x" + std::to_string(scene.film.height) + shown;
 }
 
-class LayoutOf : public testing::TestWithParam<std::pair<scene::View, int>> {
- protected:
-  void SetUp() override {
-    const auto [view, compared] = GetParam();
-    if (has_sanitizers && (view != scene::View::wrench || compared % 4 != 0)) {
-      GTEST_SKIP() << "is laid out as one body and four are";
-    }
+void expect_safe_words_and_insets(const scene::Scene& scene, const Layout& layout) {
+  const auto [width, height] = std::pair(scene.film.width, scene.film.height);
+  for (const image::Area& area : words_and_insets(layout, scene.overlay.view)) {
+    EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << text(scene);
+    EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << text(scene);
+    EXPECT_LE(area.x + area.width, 0.95 * width) << text(area) << " of " << text(scene);
+    EXPECT_LE(area.y + area.height, 0.95 * height) << text(area) << " of " << text(scene);
   }
-
-  static void check_each(const std::function<void(const scene::Scene&, const Layout&)>& check) {
-    for_each_layout(GetParam().first, GetParam().second, check);
-  }
-};
-
-TEST_P(LayoutOf, KeepsWordsAndInsetsInTheSafeArea) {
-  check_each([](const scene::Scene& scene, const Layout& layout) {
-    const auto [width, height] = std::pair(scene.film.width, scene.film.height);
-    for (const image::Area& area : words_and_insets(layout, scene.overlay.view)) {
-      EXPECT_GE(area.x, 0.05 * width) << text(area) << " of " << text(scene);
-      EXPECT_GE(area.y, 0.05 * height) << text(area) << " of " << text(scene);
-      EXPECT_LE(area.x + area.width, 0.95 * width) << text(area) << " of " << text(scene);
-      EXPECT_LE(area.y + area.height, 0.95 * height) << text(area) << " of " << text(scene);
-    }
-  });
 }
 
-TEST_P(LayoutOf, CoversNothing) {
-  check_each([](const scene::Scene& scene, const Layout& layout) {
-    const image::Area picture{0, 0, scene.film.width, scene.film.height};
-    const std::vector<image::Area> areas = all_areas(layout, scene.overlay.view);
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-      EXPECT_TRUE(inside(areas[i], picture)) << text(areas[i]) << " of " << text(scene);
-      for (std::size_t j = 0; j < i; ++j) {
-        EXPECT_FALSE(overlap(areas[i], areas[j]))
-            << text(areas[i]) << " and " << text(areas[j]) << " of " << text(scene);
-      }
+void expect_nothing_covered(const scene::Scene& scene, const Layout& layout) {
+  const image::Area picture{0, 0, scene.film.width, scene.film.height};
+  const std::vector<image::Area> areas = all_areas(layout, scene.overlay.view);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    EXPECT_TRUE(inside(areas[i], picture)) << text(areas[i]) << " of " << text(scene);
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_FALSE(overlap(areas[i], areas[j]))
+          << text(areas[i]) << " and " << text(areas[j]) << " of " << text(scene);
     }
-  });
+  }
 }
 
-TEST_P(LayoutOf, LeavesEachViewAThirdOfItsPaneAndPanesTile) {
-  check_each([](const scene::Scene& scene, const Layout& layout) {
-    long long pixels = 0;
-    for (const auto& [area, focus, named, heading, thinnest] : all_panes(layout)) {
-      EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
-      EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height))
-          << text(focus) << " of " << text(scene);
-    }
-    for (const Layout::Pane& pane : layout.panes) {
-      pixels += static_cast<long long>(pane.area.width) * pane.area.height;
-    }
-    if (scene.overlay.view == scene::View::wrench) {
-      EXPECT_EQ(pixels, static_cast<long long>(scene.film.width) * scene.film.height)
-          << text(scene);
-    }
+void expect_large_views_and_full_panes(const scene::Scene& scene, const Layout& layout) {
+  long long pixels = 0;
+  for (const auto& [area, focus, named, heading, thinnest] : all_panes(layout)) {
+    EXPECT_TRUE(inside(focus, area)) << text(focus) << " in " << text(area);
+    EXPECT_GE(3 * std::min(focus.width, focus.height), std::min(area.width, area.height))
+        << text(focus) << " of " << text(scene);
+  }
+  for (const Layout::Pane& pane : layout.panes) {
+    pixels += static_cast<long long>(pane.area.width) * pane.area.height;
+  }
+  if (scene.overlay.view == scene::View::wrench) {
+    EXPECT_EQ(pixels, static_cast<long long>(scene.film.width) * scene.film.height) << text(scene);
+  }
+}
+
+class LayoutOf : public testing::TestWithParam<std::pair<scene::View, int>> {};
+
+TEST_P(LayoutOf, CoversNothingAndLeavesRoomForWordsAndViews) {
+  const auto [view, compared] = GetParam();
+  if (has_sanitizers && (view != scene::View::wrench || compared % 4 != 0)) {
+    GTEST_SKIP() << "is laid out as one body and four are";
+  }
+  for_each_layout(view, compared, [](const scene::Scene& scene, const Layout& layout) {
+    expect_safe_words_and_insets(scene, layout);
+    expect_nothing_covered(scene, layout);
+    expect_large_views_and_full_panes(scene, layout);
   });
 }
 
