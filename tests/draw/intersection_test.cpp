@@ -13,6 +13,7 @@
 #include "gl/test_context.h"
 #include "picture/body/meshes.h"
 #include "picture/t_wrench.h"
+#include "sanitizers.h"
 
 namespace twrench::draw {
 namespace {
@@ -100,11 +101,13 @@ TEST_F(Intersection, OfAnyTwoPartsIsAntialiased) {
   struct Case {
     const char* name;
     body::Part one, other;
+    bool is_like_others = false;  ///< Under sanitizers the others suffice.
   };
   const Eigen::Matrix3d X = so3::exp(Vector3d(-0.4, 0.5, 0.6));
-  for (const auto& [name, one, other] :
-       {Case{"mesh and mesh", box, ball}, Case{"ball first", ball, box},
+  for (const auto& [name, one, other, is_like_others] :
+       {Case{"mesh and mesh", box, ball, true}, Case{"ball first", ball, box, true},
         Case{"shape and shape", slab, egg}, Case{"mesh and shape", box, egg}}) {
+    if (has_sanitizers && is_like_others) continue;
     const auto [worst, jagged] = deviation_of(scene_of(one, turned(other)), X);
     EXPECT_LE(jagged, 4) << name << ": the largest difference is " << worst << " of 255";
   }
