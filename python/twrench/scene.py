@@ -584,8 +584,8 @@ class Scene:
     def _repr_html_(self) -> str | None:
         """The page in an iframe for a notebook; None if there is no page, and the picture is shown.
 
-        The iframe may run the scripts of the page, and has no other rights: ``sandbox`` without
-        ``allow-same-origin``.
+        The iframe may run the scripts of the page and copy to the clipboard. It has no other rights:
+        ``sandbox`` without ``allow-same-origin``.
         """
         try:
             html = self._page("", has_article=False).html
@@ -597,7 +597,7 @@ class Scene:
         if len(text) > _LARGEST_PAGE:
             return None
         style = "width: 100%; height: 600px; border: 0"
-        return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{text}"></iframe>'
+        return f'<iframe sandbox="allow-scripts" allow="clipboard-write" style="{style}" srcdoc="{text}"></iframe>'
 
     def _page(self, template: str, *, has_article: bool) -> _native.Page:
         self._require_computed("a page")

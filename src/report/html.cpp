@@ -146,7 +146,7 @@ void write_html(const Document& document, const Viewer* viewer, const Write& wri
   if (viewer != nullptr) {
     write("<div class=\"viewer\">" + viewer->poster + "<iframe title=\"" +
           Phrase("The motion", "Bevegelsen").in(document.language) +
-          "\" sandbox=\"allow-scripts allow-downloads\" srcdoc=\"");
+          "\" sandbox=\"allow-scripts allow-downloads\" allow=\"clipboard-write\" srcdoc=\"");
     write(html(viewer->page));
     write("\"></iframe></div>\n");
   }

@@ -17,19 +17,24 @@ def test_a_scene_shows_its_page_in_a_sandboxed_frame(small, monkeypatch):
     page = "<html><p>\"Turn\" & <b>scrub</b></p></html>"
     monkeypatch.setattr(Scene, "_page", lambda scene, template, has_article: types.SimpleNamespace(html=page))
     shown = small._repr_html_()
-    assert re.match(r'<iframe sandbox="allow-scripts" ', shown)
+    assert re.match(r'<iframe sandbox="allow-scripts" allow="clipboard-write" ', shown)
     assert html.unescape(re.search('srcdoc="([^"]*)"', shown)[1]) == page
     assert "allow-same-origin" not in shown
     page = "x" * 1_000_001
     assert small._repr_html_() is None
 
 
-@pytest.mark.parametrize("name", twrench.scenes())
-def test_the_page_of_a_notebook_is_offline_and_small(tmp_path, name):
+@pytest.fixture(scope="module")
+def _page(tmp_path_factory):
     try:
-        Scene().page(tmp_path / "page.html")
+        Scene().page(tmp_path_factory.mktemp("page") / "page.html")
     except twrench.FileError:
         pytest.skip("this build has no page")
+
+
+@pytest.mark.parametrize("name", twrench.scenes())
+@pytest.mark.usefixtures("_page")
+def test_the_page_of_a_notebook_is_offline_and_small(name):
     shown = Scene(name)._repr_html_()
     if shown is None:
         pytest.fail(f"{name} is shown as a picture")
