@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "motion/bodies_of_every_kind.h"
+#include "sanitizers.h"
 
 namespace twrench::motion {
 namespace {
@@ -173,7 +174,9 @@ TEST(Phase, IsThatOfAClosedPathAlone) {
   };
   EXPECT_TRUE(of({0.1, 1, 0}, {.wheel = {0, 1, 0}}));
   EXPECT_FALSE(of({0, 1, 0}, {.wheel = {0, 1, 0}})) << "steady";
-  EXPECT_FALSE(of({1e-11, 1, 0}, {.wheel = {0, 1, 0}})) << "at the saddle";
+  if (!has_sanitizers) {  // its motion takes a hundred times as many steps
+    EXPECT_FALSE(of({1e-11, 1, 0}, {.wheel = {0, 1, 0}})) << "at the saddle";
+  }
   EXPECT_FALSE(of({0, 1, 0}, {.wheel = {0, -5, 0}})) << "no momentum";
   EXPECT_FALSE(of({0.1, 1, 0}, {.energy_loss_time = 50}));
 }

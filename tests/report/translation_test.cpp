@@ -52,8 +52,7 @@ std::vector<Section> of_motions(Language language) {
 }
 
 /// What the only group of a regular expression matches in a text.
-std::vector<std::string> matches(const std::string& text, const char* expression) {
-  const std::regex regex(expression);
+std::vector<std::string> matches(const std::string& text, const std::regex& regex) {
   return {std::sregex_token_iterator(text.begin(), text.end(), regex, 1), {}};
 }
 
@@ -65,7 +64,8 @@ struct Texts {
   void operator()(const Paragraph& part) { words.push_back(part.text); }
   void operator()(const Subheading& part) { words.push_back(part.text); }
   void operator()(const Formula& part) {
-    for (const std::string& text : matches(part.tex, R"(\\text\{([^}]*)\})")) words.push_back(text);
+    static const std::regex regex(R"(\\text\{([^}]*)\})");
+    for (const std::string& text : matches(part.tex, regex)) words.push_back(text);
     words.push_back(part.says);
   }
   void operator()(const List& part) {
@@ -74,10 +74,8 @@ struct Texts {
   void operator()(const Figure& part) {
     words.push_back(part.caption);
     others.insert(others.end(), {part.name, part.command});
-    for (const std::string& label :
-         matches(part.plot.script, "(?:title|label) ['\"]([^'\"]*)['\"]")) {
-      words.push_back(label);
-    }
+    static const std::regex regex("(?:title|label) ['\"]([^'\"]*)['\"]");
+    for (const std::string& label : matches(part.plot.script, regex)) words.push_back(label);
   }
   void operator()(const Table& part) {
     words.push_back(part.caption);
@@ -102,11 +100,13 @@ Texts texts_of(const std::vector<Section>& sections) {
 
 /// The words of a text, which are of two letters or more.
 std::vector<std::string> words_of(const std::string& text) {
-  return matches(text, "([A-Za-z]{2,}[A-Za-z0-9]*(?:-[a-z]+)*)");
+  static const std::regex regex("([A-Za-z]{2,}[A-Za-z0-9]*(?:-[a-z]+)*)");
+  return matches(text, regex);
 }
 
 std::vector<std::string> numbers_of(const std::string& text) {
-  std::vector<std::string> numbers = matches(text, "([0-9]+(?:\\.[0-9]+)?(?:e[-+][0-9]+)?)");
+  static const std::regex regex("([0-9]+(?:\\.[0-9]+)?(?:e[-+][0-9]+)?)");
+  std::vector<std::string> numbers = matches(text, regex);
   std::ranges::sort(numbers);  // the order of words differs
   return numbers;
 }

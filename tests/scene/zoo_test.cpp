@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sanitizers.h"
 #include "scene/scene.h"
 
 namespace twrench::scene {
@@ -88,6 +89,7 @@ TEST(Zoo, ToutatisHasThePeriodsAndTheMomentsOfTheAsteroid) {
 // Bollay's case study gives 750 turns a minute about the long axis, and an orbit of 114.8 min until
 // the flat spin.
 TEST(Zoo, ExplorerTipsOverWithinOneOrbit) {
+  if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
   const Scene explorer = load_scene("explorer-1");
   const motion::FreeBody satellite = free_body(explorer);
   EXPECT_NEAR(mass_properties(explorer.body).mass, 13970.0, 1e-6);
