@@ -31,7 +31,7 @@ class BuiltInScene : public testing::TestWithParam<std::string> {};
 /// Scenes with which the commands take the same paths as with the others.
 constexpr std::array like_others{"calm",           "stable-y",  "stable-z", "explain-nb",
                                  "explain-short",  "t-handle",  "wing-nut", "tennis-racket",
-                                 "phone",          "book",      "toutatis", "dual-spin",
+                                 "phone",          "hammer",    "toutatis", "dual-spin",
                                  "t-handle-wheel", "explorer-1"};
 
 TEST_P(BuiltInScene, WorksWithEveryCommand) {

@@ -43,8 +43,8 @@ std::vector<Writing> writings() {
           {"export --duration 1 -o e.aem", {"e.aem"}},
           {"export --duration 1 -o e.csv", {"e.csv"}},
           {"export --duration 1 -o e.json", {"e.json"}},
-          {"report stable-y --static -o r.html", {"r.html"}},
-          {"report stable-y --static -o r.md", {"r.md", "r-methods.svg"}},
+          {"report stable-y --duration 1 --static -o r.html", {"r.html"}},
+          {"report stable-y --duration 1 --static -o r.md", {"r.md", "r-methods.svg"}},
           {"page --template template.html -o page.html", {"page.html"}},
           {"compare a.png b.png --diff d.png --report d.html", {"d.png", "d.html"}}};
 }

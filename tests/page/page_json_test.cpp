@@ -131,6 +131,7 @@ scene::Scene ball(int meridians, double shell, double wave) {
 }
 
 TEST(PageJson, DrawsALargeMeshByFewerTriangles) {
+  if (has_sanitizers) GTEST_SKIP() << "takes long for large meshes";
   const scene::Scene scene = ball(200, 0, 0.05);
   const Surface surface = surface_of(scene.body);
   ASSERT_TRUE(surface.simplification);
@@ -146,6 +147,7 @@ TEST(PageJson, DrawsALargeMeshByFewerTriangles) {
 }
 
 TEST(PageJson, DrawsBothSidesOfALargeWall) {
+  if (has_sanitizers) GTEST_SKIP() << "takes long for large meshes";
   const Surface surface = surface_of(ball(200, 0.01, 0.05).body);
   double outwards = 0;
   for (const picture::Vertex& vertex : surface.mesh.vertices) {
@@ -178,6 +180,7 @@ TEST(PageJson, KeepsASmallMeshBesideALargeOne) {
 }
 
 TEST(PageJson, CountsTheTrianglesOfAllMeshesTogether) {
+  if (has_sanitizers) GTEST_SKIP() << "takes long for large meshes";
   scene::Scene scene = ball(40, 0, 0.05);
   scene.body.parts.push_back(scene.body.parts[0]);
   EXPECT_FALSE(surface_of(scene.body).simplification) << "12,480 triangles are few enough";
