@@ -37,6 +37,8 @@ std::string remedy_for(int error_number, Access access) {
     case ENOSPC:
     case EDQUOT:
       return "free some space there, or choose another disk";
+    case EBADF:
+      return "it is closed: redirect it to a file or a program";
     case EFBIG:
       return "raise the limit on file size (ulimit -f), or choose another disk";
     case EMFILE:

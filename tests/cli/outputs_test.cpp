@@ -216,6 +216,10 @@ TEST(Outputs, AFilmIsWrittenToStandardOutput) {
                 "{ \"$TWRENCH\" render --size 320x180 --progress none --no-frames -o -; "
                 "echo $? >code; } | head -c 100 >/dev/null");
   EXPECT_EQ(text_of(folder / "code"), "5\n") << gone.err;
+  for (const std::string& command : {film_command, std::string("encode f ")}) {
+    expect_refused(run_shell(folder, "\"$TWRENCH\" " + command + "-o - >&-"), 5,
+                   "cannot write standard output: Bad file descriptor");
+  }
 }
 
 TEST(Outputs, ThatAreDevicesAreWrittenTo) {

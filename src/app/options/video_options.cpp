@@ -6,12 +6,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <map>
 #include <vector>
 
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
 #include "base/enumeration.h"
+#include "system/file.h"
 
 namespace twrench::app {
 namespace {
@@ -121,6 +123,10 @@ void VideoOptions::require_free_output(const std::string& progress) const {
   if (::isatty(STDOUT_FILENO) != 0) {
     throw InvalidArgument("--output -", "standard output is a terminal",
                           "redirect it to a file or a program: twrench render -o - | ffplay -");
+  }
+  // Writing nothing fails if it is closed. Otherwise ffmpeg would fail after the first frames.
+  if (::write(STDOUT_FILENO, "", 0) < 0) {
+    throw system::file_error("cannot write standard output", errno);
   }
   if (progress == "openjd") {
     throw InvalidArgument("--progress openjd",
