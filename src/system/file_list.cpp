@@ -1,11 +1,15 @@
 #include "system/file_list.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <set>
 #include <system_error>
 
+#include "system/file.h"
 #include "system/pending_file.h"
 
 namespace twrench::system {
@@ -30,6 +34,19 @@ std::set<std::string> identities_of(const fs::path& path) {
   std::set<std::string> names{place_of(path).string(), place_of(link_target(path)).string()};
   if (exists) names.insert(fmt::format("{}:{}", status.st_dev, status.st_ino));
   return names;
+}
+
+/// Throws if a new file cannot be put beside the file, so that a command fails before its
+/// computation. Devices need no new file. A missing folder may be created later.
+void require_place_for(const fs::path& file) {
+  std::error_code unknown;
+  const fs::path target = link_target(file);
+  if (fs::exists(target, unknown) && !fs::is_regular_file(target, unknown)) return;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  if (!fs::is_directory(folder, unknown)) return;
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    throw file_error("cannot write " + file.string(), errno);
+  }
 }
 
 [[noreturn]] void refuse_input(const fs::path& output) {
@@ -66,6 +83,7 @@ OutputFile FileList::add_output(const OutputKind& kind, const fs::path& file,
         file.string(),
         fmt::format("it exists, and is not {} output of twrench ({})", kind.name, chosen.name));
   }
+  if (!is_stream) require_place_for(file);
   return {file, chosen};
 }
 

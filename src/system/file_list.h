@@ -41,7 +41,8 @@ class FileList {
   void add_input(const std::filesystem::path& file);
 
   /// Adds an output. Throws InvalidArgument as format_of() does, and OverwriteError if the file is
-  /// an input or another output, or exists and may not be replaced.
+  /// an input or another output, or exists and may not be replaced, FileError if its folder
+  /// exists and is not writable.
   OutputFile add_output(const OutputKind& kind, const std::filesystem::path& file,
                         std::string_view format = {});
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <system_error>
 
+#include "system/file.h"
 #include "video/error.h"
 #include "video/frame_range.h"
 
@@ -85,6 +86,11 @@ std::vector<fs::path> manifests_in(const fs::path& folder) {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder, failed)) {
     if (is_manifest_name(entry.path().filename().string())) paths.push_back(entry.path());
+  }
+  if (failed && failed != std::errc::no_such_file_or_directory &&
+      failed != std::errc::not_a_directory) {
+    throw system::file_error("cannot read the folder " + folder.string(), failed.value(),
+                             system::Access::read);
   }
   std::ranges::sort(paths);
   return paths;

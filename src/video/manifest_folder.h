@@ -9,7 +9,7 @@
 namespace twrench::video {
 
 /// Returns the manifests in a folder of frames, of the whole video and of shards, sorted by name.
-/// Empty if the folder cannot be read.
+/// Empty if there is no such folder. Throws FileError if it cannot be read.
 std::vector<std::filesystem::path> manifests_in(const std::filesystem::path& folder);
 
 /// Returns all manifests of the folder merged into one, whose range is the union of the requested

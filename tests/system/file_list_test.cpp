@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
+#include <unistd.h>
 
 #include "scratch_folder.h"
 #include "system/file.h"
@@ -110,6 +111,16 @@ TEST_F(FileListTest, AnExistingFileOfSomethingElseIsKept) {
     EXPECT_NO_THROW(add(name, false)) << name;
   }
   EXPECT_EQ(add("notes.json", true).path(), folder / "notes.json");
+}
+
+TEST_F(FileListTest, AnOutputHasAPlaceBeforeItIsComputed) {
+  FileList files;
+  EXPECT_NO_THROW(files.add_output(schema_output, folder / "none/a.json"));
+  EXPECT_NO_THROW(files.add_output(schema_output, "/dev/null"));
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write to any folder";
+  fs::permissions(folder / "sub", fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(files.add_output(schema_output, folder / "sub/a.json"), FileError);
+  fs::permissions(folder / "sub", fs::perms::owner_all);
 }
 
 std::string format_name(const OutputKind& kind, const std::string& file,

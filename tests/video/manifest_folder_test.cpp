@@ -102,5 +102,12 @@ TEST(ManifestFolder, NeedsAManifest) {
   EXPECT_THAT(failure(scratch), HasSubstr("it contains neither manifest.json"));
 }
 
+TEST(ManifestFolder, MustBeReadable) {
+  const ScratchFolder scratch;
+  std::filesystem::create_symlink("loop", scratch / "loop");
+  EXPECT_THROW(manifests_in(scratch / "loop"), system::FileError);
+  EXPECT_TRUE(manifests_in(scratch / "none").empty());
+}
+
 }  // namespace
 }  // namespace twrench::video
