@@ -154,8 +154,6 @@ Simulator simulator_with(Mistake mistake, const Matrix3d& I, double speed, Scene
   return right;
 }
 
-std::string written(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
-
 }  // namespace
 
 WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number) {
@@ -222,9 +220,9 @@ WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number) {
         Eigen::AngleAxisd(noise > 0 ? error() : 0, dice.vector(-1, 1).normalized()));
     const Quaterniond q = Quaterniond(point.q) * apart;
     for (const double value : {q.w(), q.x(), q.y(), q.z()})
-      result.text += "," + written(value, digits);
+      result.text += fmt::format(",{:.{}g}", value, digits);
     for (const double value : point.w)
-      result.text += "," + written(value + (noise > 0 ? speed * error() : 0), digits);
+      result.text += fmt::format(",{:.{}g}", value + (noise > 0 ? speed * error() : 0), digits);
     result.text += "\n";
   }
   return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "check/law/candidates.h"
@@ -41,15 +42,30 @@ double angle_of_pairs(double noise) {
   return std::clamp(least * noise / noise_at_least, least, most);
 }
 
+/// The root mean square of the changes of the rates from row to row that are not noise, relative to
+/// the largest |w|.
+double change_of_rates(std::span<const Row> rows, double noise, double speed) {
+  double sum = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    sum += (rows[i].omega - rows[i - 1].omega).squaredNorm();
+  const double mean = sum / (speed * speed * static_cast<double>(rows.size() - 1));
+  constexpr double of_noise = 6;  // three components of two rows
+  return std::sqrt(std::max(0.0, mean - of_noise * noise * noise));
+}
+
 Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
   Pairs pairs;
-  pairs.law_step = effort.law_step;
   RowScales& scales = pairs.scales;
   for (const Row& row : rows.subspan(1))
     scales.later_speed = std::max(scales.later_speed, row.omega.norm());
   scales.speed = std::max(scales.later_speed, rows.front().omega.norm());
   scales.step = (rows.back().t - rows.front().t) / static_cast<double>(rows.size() - 1);
-  const double apart = angle_of_pairs(noise) / (scales.speed * scales.step);
+  // A wrong law can change the rates faster than the body turns. Pairs many such changes apart fit
+  // slower laws by chance, and amplify the noise of their first row.
+  const double turn = scales.speed * scales.step;
+  const double change = std::max(turn, change_of_rates(rows, noise, scales.speed));
+  pairs.law_step = effort.law_step * turn / change;
+  const double apart = angle_of_pairs(noise) / change;
   const auto farthest = static_cast<double>(std::max<std::size_t>(1, rows.size() / 4));
   const auto stride = static_cast<std::size_t>(std::clamp(apart, 1.0, farthest));
   const std::size_t starts = rows.size() - stride, count = std::min(effort.pairs, starts);
@@ -92,17 +108,23 @@ Vector3d attitude_change(const State& from, const State& to) {
 struct Aspect {
   Residual residual;
   Vector3d (*change)(const State& from, const State& to);
-  double unit;  ///< of the residuals
+  double unit;       ///< of the residuals
+  double own_noise;  ///< of a residual apart from the rates of the first row, in this unit
 };
 
-Aspect rates_of(const Pairs& pairs) { return {rates_residual, rates_change, pairs.scales.speed}; }
-constexpr Aspect attitude{attitude_residual, attitude_change, 1};
+Aspect rates_of(const Pairs& pairs, const RelativeNoise& noise) {
+  return {rates_residual, rates_change, pairs.scales.speed, noise.rates};
+}
+
+Aspect attitude_of(const RelativeNoise& noise) {
+  return {attitude_residual, attitude_change, 1, std::numbers::sqrt2 * noise.attitude};
+}
 
 /// How well laws explain pairs of rows.
 class Comparer {
  public:
-  Comparer(const Pairs& pairs, const Aspect& aspect, const Law& right)
-      : pairs_(pairs), aspect_(aspect), right_(right) {
+  Comparer(const Pairs& pairs, const Aspect& aspect, const Law& right, double noise_of_rates)
+      : pairs_(pairs), aspect_(aspect), right_(right), noise_of_rates_(noise_of_rates) {
     for (std::size_t i = 0; i < pairs.states.size(); ++i) {
       const auto& [from, to] = pairs.states[i];
       const State expected = advanced(right, from, pairs.times[i], pairs.law_step);
@@ -124,10 +146,12 @@ class Comparer {
   /// The number of residuals.
   double count() const { return static_cast<double>(3 * pairs_.states.size()); }
 
-  /// The miss of the right law if both rows have noise of this standard deviation, in the unit of
-  /// the residuals.
-  double miss_of_noise(double deviation) const {
-    return aspect_.unit * deviation * std::sqrt(2 * count() / changes_);
+  /// The miss that the noise of the rows lets a right law have, to first order: that of the second
+  /// rows, and that of the first rows as the law amplifies it.
+  double miss_of_noise(const Law& law) const {
+    const double own = aspect_.own_noise * aspect_.own_noise * count();
+    const double amplified = noise_of_rates_ * noise_of_rates_ * amplification(law);
+    return aspect_.unit * std::sqrt((own + amplified) / changes_);
   }
 
   Explanation fitted(const Candidate& candidate) const;
@@ -143,10 +167,31 @@ class Comparer {
     return values;
   }
 
+  /// The sum of the squared derivatives of the residuals by the rates of the first rows, in units
+  /// of the largest |w|.
+  double amplification(const Law& law) const {
+    constexpr double step = 1e-6;
+    double sum = 0;
+    for (std::size_t i = 0; i < pairs_.states.size(); ++i) {
+      const auto& [from, to] = pairs_.states[i];
+      const auto residual = [&](const State& start) {
+        return Vector3d(aspect_.residual(law, start, to, pairs_.times[i], pairs_.law_step) /
+                        aspect_.unit);
+      };
+      const Vector3d before = residual(from);
+      for (int k = 0; k < 3; ++k) {
+        State start = from;
+        start.omega[k] += step * pairs_.scales.speed;
+        sum += ((residual(start) - before) / step).squaredNorm();
+      }
+    }
+    return sum;
+  }
+
   const Pairs& pairs_;
   Aspect aspect_;
   const Law& right_;
-  double changes_ = 0, miss_of_right_ = 0;
+  double noise_of_rates_, changes_ = 0, miss_of_right_ = 0;
 };
 
 Explanation Comparer::fitted(const Candidate& candidate) const {
@@ -199,18 +244,17 @@ Explanation Comparer::fitted(const Candidate& candidate) const {
   return found;
 }
 
-/// How many times larger the miss of the right law is than that of noise alone, if the motion
-/// amplifies the noise of the first row of a pair.
-constexpr double about_noise = 3;
+/// How many times larger the miss of a right law may be than its noise, whose size is estimated.
+constexpr double about_noise = 1.5;
 
 /// The explanations that fit about equally well, with the fewest free numbers. None if even the
 /// best explains too little of what the law as read misses: errors of methods look like small
 /// changes of a law, but what a law leaves of them is not far smaller, nor noise.
-std::vector<Explanation> best(std::vector<Explanation> all, const Comparer& precisely,
-                              double noise) {
+std::vector<Explanation> best(std::vector<Explanation> all, const Comparer& precisely) {
   constexpr double far_better = 0.01, clearly_better = 0.5;
-  const double least = std::ranges::min(all, {}, &Explanation::miss).miss;
-  const bool is_noise = least < about_noise * precisely.miss_of_noise(noise);
+  const Explanation nearest = std::ranges::min(all, {}, &Explanation::miss);
+  const double least = nearest.miss;
+  const bool is_noise = least < about_noise * precisely.miss_of_noise(nearest.law);
   if (!(least < (is_noise ? clearly_better : far_better) * precisely.miss_of_right())) return {};
   // By chance, noise lets the sum of squares, in units of its variance, differ by no more.
   constexpr double as_well = 3, of_methods = 1e-6, of_chance = 30;
@@ -225,20 +269,21 @@ std::vector<Explanation> best(std::vector<Explanation> all, const Comparer& prec
 }
 
 std::vector<Explanation> explanations(const Comparer& roughly, const Comparer& precisely,
-                                      const std::vector<Candidate>& candidates, double noise) {
-  std::vector<double> misses;
-  for (const Candidate& candidate : candidates) misses.push_back(roughly.fitted(candidate).miss);
-  const double least = std::ranges::min(misses);
+                                      const std::vector<Candidate>& candidates) {
+  std::vector<Explanation> rough_fits;
+  for (const Candidate& candidate : candidates) rough_fits.push_back(roughly.fitted(candidate));
+  const Explanation nearest = std::ranges::min(rough_fits, {}, &Explanation::miss);
+  const double least = nearest.miss;
   // A precise fit takes long, so it is omitted where best() would refuse it.
   constexpr double far_worse = 3, of_large_steps = 1e-3, too_little = 0.05;
-  const double as_read = precisely.miss_of_right(), of_noise = precisely.miss_of_noise(noise);
-  if (least > std::max(too_little * as_read, far_worse * of_noise)) return {};
+  const double of_noise = roughly.miss_of_noise(nearest.law);
+  if (least > std::max(too_little * precisely.miss_of_right(), far_worse * of_noise)) return {};
   const double most = std::max(far_worse * least, of_large_steps);
   std::vector<Explanation> all;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (misses[i] <= most) all.push_back(precisely.fitted(candidates[i]));
+    if (rough_fits[i].miss <= most) all.push_back(precisely.fitted(candidates[i]));
   }
-  return best(std::move(all), precisely, noise);
+  return best(std::move(all), precisely);
 }
 
 /// A smaller miss is that of an integrator, and not worth an explanation.
@@ -257,26 +302,25 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, RowPart
   constexpr double too_far = 2;  // rad
   if (!(turn > 0 && turn < too_far)) return {};
   const Law right{.inertia = inertia};
-  const Comparer of_rates(many, rates_of(many), right);
+  const Comparer of_rates(many, rates_of(many, noise), right, noise.rates);
   WrongLaws found;
   found.rates_miss = of_rates.miss_of_right();
   if (found.rates_miss > good) {
-    found.of_rates =
-        explanations(Comparer(few, rates_of(many), right), of_rates,
-                     candidates_for_rates(inertia, scales, parts != RowParts::rates), noise.rates);
+    found.of_rates = explanations(Comparer(few, rates_of(few, noise), right, noise.rates), of_rates,
+                                  candidates_for_rates(inertia, scales, parts != RowParts::rates));
   }
   found.attitude_miss = 0;
   if (parts != RowParts::both) return found;
-  const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
-  const Comparer of_attitude(many, attitude, law);
-  found.attitude_miss = of_attitude.miss_of_right();
   // Rates that follow no law let the attitude miss more than noise does.
   const bool rates_follow = !found.of_rates.empty() || found.rates_miss < good ||
-                            found.rates_miss < about_noise * of_rates.miss_of_noise(noise.rates);
-  const double noise_of_attitude = rates_follow ? noise.attitude + noise.rates : 0;
+                            found.rates_miss < about_noise * of_rates.miss_of_noise(right);
+  const RelativeNoise known = rates_follow ? noise : RelativeNoise{0, 0};
+  const Law law = found.of_rates.empty() ? right : found.of_rates.front().law;
+  const Comparer of_attitude(many, attitude_of(known), law, known.rates);
+  found.attitude_miss = of_attitude.miss_of_right();
   if (found.attitude_miss > good) {
-    found.of_attitude = explanations(Comparer(few, attitude, law), of_attitude,
-                                     candidates_for_attitude(scales), noise_of_attitude);
+    found.of_attitude = explanations(Comparer(few, attitude_of(known), law, known.rates),
+                                     of_attitude, candidates_for_attitude(scales));
   }
   return found;
 }
@@ -285,9 +329,11 @@ double largest_miss(const Matrix3d& inertia, std::span<const Row> rows, RowParts
                     const RelativeNoise& noise) {
   const Pairs pairs = pairs_of(rows, noise.rates, precise);
   const Law right{.inertia = inertia};
-  const double of_rates = Comparer(pairs, rates_of(pairs), right).miss_of_right();
-  if (parts != RowParts::both) return of_rates;
-  return std::max(of_rates, Comparer(pairs, attitude, right).miss_of_right());
+  const auto miss = [&](const Aspect& aspect) {
+    return Comparer(pairs, aspect, right, noise.rates).miss_of_right();
+  };
+  const double of_rates = miss(rates_of(pairs, noise));
+  return parts == RowParts::both ? std::max(of_rates, miss(attitude_of(noise))) : of_rates;
 }
 
 }  // namespace twrench::check

@@ -4,6 +4,7 @@
 #include <twrench/motion/exact.h>
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -107,16 +108,31 @@ std::vector<std::size_t> strides_of(std::span<const Row> rows, const Measure& me
   return strides;
 }
 
-/// The least ratio over all strides.
-std::optional<double> least_ratio(const Matrix3d& inertia, std::span<const Row> rows,
-                                  const Measure& measure) {
-  constexpr std::size_t enough_for_medians = 32;
-  std::optional<double> least;
+double largest_speed(std::span<const Row> rows) {
+  double speed = 0;
+  for (const Row& row : rows) speed = std::max(speed, row.omega.norm());
+  return speed;
+}
+
+/// Whether the body makes more than a turn from row to row.
+bool are_far_apart(std::span<const Row> rows) {
+  const double step = (rows.back().t - rows.front().t) / static_cast<double>(rows.size() - 1);
+  return largest_speed(rows) * step > 2 * std::numbers::pi;
+}
+
+/// The least ratio over all strides. Motions are nearly periodic, so rows that are far apart fit by
+/// chance at a single stride, and the largest ratio of three counts.
+std::optional<double> typical_ratio(const Matrix3d& inertia, std::span<const Row> rows,
+                                    const Measure& measure) {
+  constexpr std::size_t enough_for_medians = 32, too_many_for_chance = 3;
+  std::vector<double> ratios;
   for (const std::size_t stride : strides_of(rows, measure)) {
     const auto here = ratio(inertia, rows, measure, stride, enough_for_medians);
-    if (here) least = std::min(least.value_or(*here), *here);
+    if (here) ratios.push_back(*here);
   }
-  return least;
+  if (ratios.empty()) return {};
+  if (!are_far_apart(rows)) return std::ranges::min(ratios);
+  return std::ranges::max(std::span(ratios).first(std::min(ratios.size(), too_many_for_chance)));
 }
 
 /// The ratio at the shortest stride with a clear change, or else at that with the largest change.
@@ -145,12 +161,6 @@ std::optional<double> quick_ratio(const Matrix3d& inertia, std::span<const Row> 
 /// Smaller changes, relative to |omega| or in rad, are not informative.
 constexpr double too_small = 1e-6;
 
-double largest_speed(std::span<const Row> rows) {
-  double speed = 0;
-  for (const Row& row : rows) speed = std::max(speed, row.omega.norm());
-  return speed;
-}
-
 Measure measure_of_rates(std::span<const Row> rows) {
   constexpr double clear = 0.3;
   const double speed = largest_speed(rows);
@@ -177,8 +187,8 @@ bool Misfit::fits() const {
 Misfit misfit(const Matrix3d& inertia, std::span<const Row> rows, bool has_rates,
               bool has_attitude) {
   Misfit result;
-  if (has_rates) result.rates = least_ratio(inertia, rows, measure_of_rates(rows));
-  if (has_attitude) result.attitude = least_ratio(inertia, rows, measure_of_attitude(has_rates));
+  if (has_rates) result.rates = typical_ratio(inertia, rows, measure_of_rates(rows));
+  if (has_attitude) result.attitude = typical_ratio(inertia, rows, measure_of_attitude(has_rates));
   return result;
 }
 

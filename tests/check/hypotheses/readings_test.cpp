@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "check/hypotheses/changed_rows.h"
 #include "check/recordings.h"
@@ -45,6 +46,18 @@ TEST(Misfit, IsLargeWhereWhatShouldChangeDoesNot) {
   for (Row& row : rows) row.omega = omega;
   const Misfit found = misfit(inertia, rows, true, false);
   EXPECT_FALSE(found.fits());
+}
+
+// The rates of a symmetric body are periodic. With half a period too many between rows, those two
+// rows apart fit.
+TEST(Misfit, IsLargeOfFarRowsThatFitByChance) {
+  const Matrix3d symmetric = Vector3d(2, 2, 3).asDiagonal();
+  const motion::ExactMotion exact({symmetric, omega});
+  const double period = 2 * std::numbers::pi / (0.5 * std::abs(omega.z()));
+  constexpr double step = 0.05;
+  std::vector<Row> rows = rows_of([&](double t) { return exact.at(t); }, 128, step);
+  for (Row& row : rows) row.t *= (step + 20.5 * period) / step;
+  EXPECT_FALSE(misfit(symmetric, rows, true, false).fits());
 }
 
 // A first-order method with a step as long as in games still follows the motion.

@@ -79,14 +79,19 @@ TEST(WrongLaws, OfFewRowsAreFound) {
   EXPECT_NEAR(found.of_rates[0].value[0], law.speed_limit, 1e-6);
 }
 
+/// Adds independent errors to the rates, of this standard deviation relative to the first ones.
+void add_noise(std::vector<Row>& rows, double size) {
+  SceneDice dice(1, 1);
+  for (Row& row : rows) row.omega += std::sqrt(3) * size * omega.norm() * dice.vector(-1, 1);
+}
+
 // For this body, which is almost symmetric, other moments only change how fast the rates turn.
 TEST(WrongLaws, ThatNoiseHidesFromEachOtherAreAllFound) {
   const Eigen::Matrix3d right = Vector3d(3, 2.2, 2.19).asDiagonal();
   Law law{.inertia = Vector3d(3.3, 2.2, 2.19).asDiagonal()};
   std::vector<Row> rows = rows_of_law(law, 300, 0.05);
   constexpr double size = 1e-3;
-  SceneDice dice(1, 1);
-  for (Row& row : rows) row.omega += std::sqrt(3) * size * omega.norm() * dice.vector(-1, 1);
+  add_noise(rows, size);
   const WrongLaws found = wrong_laws(right, rows, RowParts::both, {size, size});
   const auto is_found = [&](Mistake mistake) {
     return std::ranges::any_of(found.of_rates, [=](auto& one) { return one.mistake == mistake; });
@@ -94,6 +99,20 @@ TEST(WrongLaws, ThatNoiseHidesFromEachOtherAreAllFound) {
   EXPECT_TRUE(is_found(Mistake::moments));
   EXPECT_TRUE(is_found(Mistake::gyroscopic_factor));
   EXPECT_FALSE(is_found(Mistake::damping));
+}
+
+// With these moments the rates change several times faster than the body turns. Over the two rad
+// that the noise of slower motions requires, another body fits by chance.
+TEST(WrongLaws, ThatChangeTheRatesFastAreNotThoseOfAnotherBody) {
+  const Eigen::Matrix3d large = Vector3d(2.5, 3.5, 4.5).asDiagonal();
+  std::vector<Row> rows =
+      rows_of_law({.inertia = large, .division = Division::multiplied}, 400, 0.02);
+  constexpr double size = 2e-3;
+  add_noise(rows, size);
+  const WrongLaws found = wrong_laws(large, rows, RowParts::both, {size, size});
+  ASSERT_THAT(found.of_rates, SizeIs(1));
+  EXPECT_EQ(found.of_rates[0].mistake, Mistake::multiplied);
+  EXPECT_EQ(found.of_rates[0].free_numbers, 0);
 }
 
 TEST(Candidates, AreAllMistakes) {
