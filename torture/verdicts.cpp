@@ -3,7 +3,8 @@
 // Case k depends only on SEED and k. The first cases are single mistakes with twenty starts of each
 // body; random combinations follow. Faults are verdicts that propose a wrong reading, no reading,
 // or more than two. Every third case is a simulation with a mistake instead; its faults are wrong
-// readings and wrong mistakes, and it counts the mistakes that are named.
+// readings and wrong mistakes, and it counts the mistakes that are named. One in four of these has
+// the attitude alone.
 #include <fmt/format.h>
 
 #include <algorithm>

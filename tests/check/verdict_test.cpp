@@ -54,6 +54,13 @@ TEST(Verdict, IsRightOfMomentaInOtherAxes) {
   EXPECT_EQ(fault_of_verdict(random_recording(24102, 925), folder.path()), "");
 }
 
+// Taken for seconds, these microseconds put the rows so far apart that the exact motion scatters
+// beside them. That is no noise, in which laws would fit.
+TEST(Verdict, TakesRowsThatAreFarApartForNoNoise) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_verdict(random_recording(61001, 3777), folder.path()), "");
+}
+
 // Of this body, which is almost symmetric, delayed rates look almost like those of a fixed part.
 TEST(Verdict, PrefersALawThatExplainsFarMoreThanAReading) {
   const ScratchFolder folder;

@@ -154,6 +154,13 @@ Simulator simulator_with(Mistake mistake, const Matrix3d& I, double speed, Scene
   return right;
 }
 
+/// In attitudes alone, a factor of the attitude is one of the gyroscopic term.
+bool is_named_by(const Explanation& explanation, const WrongSimulation& simulation) {
+  const bool is_factor = !simulation.has_rates && simulation.mistake == Mistake::attitude_factor &&
+                         explanation.mistake == Mistake::gyroscopic_factor;
+  return is_factor || explanation.mistake == simulation.mistake;
+}
+
 }  // namespace
 
 WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number) {
@@ -189,9 +196,12 @@ WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number) {
     for (int n = 0; n < 12; ++n) sum += dice.uniform(0, 1);
     return noise * sum;
   };
-  WrongSimulation result{mistake, "t,qw,qx,qy,qz,wx,wy,wz\n", I,
-                         fmt::format("{}, {} digits, noise {:.1g}, {} rows",
-                                     enumerator_name(mistake), digits, noise, rows)};
+  constexpr std::uint32_t kinds = 4;
+  const bool has_rates = number % kinds != kinds - 1;
+  WrongSimulation result{
+      mistake, has_rates, has_rates ? "t,qw,qx,qy,qz,wx,wy,wz\n" : "t,qw,qx,qy,qz\n", I,
+      fmt::format("{}, {} digits, noise {:.1g}, {} rows{}", enumerator_name(mistake), digits, noise,
+                  rows, has_rates ? "" : ", attitude alone")};
   constexpr int substeps = 20;
   Point at{w, Eigen::Vector4d(0, 0, 0, 1)};
   Vector3d angles = Vector3d::Zero();  // of integrated_angles: about z, y and x
@@ -221,8 +231,10 @@ WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number) {
     const Quaterniond q = Quaterniond(point.q) * apart;
     for (const double value : {q.w(), q.x(), q.y(), q.z()})
       result.text += fmt::format(",{:.{}g}", value, digits);
-    for (const double value : point.w)
+    for (int k = 0; k < 3 && has_rates; ++k) {
+      const double value = point.w[k];
       result.text += fmt::format(",{:.{}g}", value + (noise > 0 ? speed * error() : 0), digits);
+    }
     result.text += "\n";
   }
   return result;
@@ -234,12 +246,14 @@ VerdictOnLaw verdict_on(const WrongSimulation& simulation,
   system::write_file_atomically(file, simulation.text);
   recording::Convention told;
   for (const Kind kind : {Kind::time, Kind::quaternion, Kind::rates}) {
+    if (kind == Kind::rates && !simulation.has_rates) continue;
     for (const std::string& name : names_of(kind)) told.columns[name] = name;
   }
   const Problem problem{.inertia = simulation.inertia};
   const recording::Recording recording(file);
   const Judgement as_read = judge(recording, told, problem);
-  if (as_read.within_noise) return {};
+  const bool is_right = !simulation.has_rates && simulation.mistake == Mistake::delayed_rates;
+  if (as_read.within_noise) return {is_right, {}};
   const Alternatives found = better_readings(recording, problem, as_read);
   for (const Reading& reading : found.fitting) {
     const Judgement again = judge(recording, reading.convention, problem);
@@ -253,7 +267,7 @@ VerdictOnLaw verdict_on(const WrongSimulation& simulation,
   std::string named;
   for (const auto* list : {&found.laws.of_rates, &found.laws.of_attitude}) {
     for (const Explanation& one : *list) {
-      verdict.names_mistake = verdict.names_mistake || one.mistake == simulation.mistake;
+      verdict.names_mistake = verdict.names_mistake || is_named_by(one, simulation);
       named += fmt::format(" {} ({:.1g})", enumerator_name(one.mistake), one.miss);
     }
   }

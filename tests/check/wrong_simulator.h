@@ -12,13 +12,15 @@ namespace twrench::check {
 /// A file of a simulator with a mistake that people reported.
 struct WrongSimulation {
   Mistake mistake;
-  std::string text;  ///< CSV: times, quaternion, rates in the body's axes
+  bool has_rates;
+  std::string text;  ///< CSV: times, quaternion, perhaps rates in the body's axes
   Eigen::Matrix3d inertia;
   std::string description;
 };
 
 /// A motion of a random body from a random start, computed with a mistake that is drawn as well,
-/// and written with 6 to 17 digits or with noise.
+/// and written with 6 to 17 digits or with noise. One in four has the attitude alone; delayed rates
+/// are no mistake then.
 WrongSimulation wrong_simulation(std::uint32_t seed, std::uint32_t number);
 
 /// The verdict on a wrong simulation.

@@ -234,16 +234,21 @@ bool is_noise_left_by(const Fit& fit, const Judgement& judgement) {
          is_left(fit.attitude_residual, judgement.noise.attitude, judgement.attitude_limit);
 }
 
+/// Whether the body turns so little from row to row that only noise scatters its errors: those of
+/// methods are smooth.
+bool are_errors_smooth(const Judgement& judgement) {
+  constexpr double most = 0.5;  // rad per row
+  const auto steps = static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
+  return judgement.reference.body.omega().norm() * judgement.duration <= most * steps;
+}
+
 /// Whether the digits and the noise explain all errors: those of the rows, and that of the initial
 /// state as the motion amplifies it.
 bool are_noise(const Judgement& judgement, const ReadRecording& read, const Problem& problem) {
   const Noise& noise = judgement.noise;
+  if (noise.rate == 0 && noise.attitude == 0) return false;
   const motion::FreeBody& body = judgement.reference.body;
   const double speed = body.omega().norm();
-  const double step =
-      judgement.duration / static_cast<double>(std::max<std::size_t>(judgement.rows - 1, 1));
-  constexpr double smooth = 0.5;  // rad per row: up to this, the errors of methods are smooth
-  if ((noise.rate == 0 && noise.attitude == 0) || speed * step > smooth) return false;
   constexpr double most = 0.1;  // more is no measurement of the motion
   if (noise.rate > most * speed || noise.attitude > most) return false;
   constexpr double deviations = 6;  // one number in 5e8 exceeds them
@@ -353,9 +358,10 @@ Judgement judge(const Recording& recording, const recording::Convention& convent
                       .fit = fit};
   take_sizes(judgement, comparison, reader.attitude());
   judgement.quaternion_length = reader.quaternion_length();
-  judgement.noise = {deviation_of(comparison.spans(), &Span::rate_differences),
-                     deviation_of(comparison.spans(), &Span::attitude_differences)};
-  judgement.digits = digits_of(reader, comparison, judgement.noise);
+  const Noise scatter{deviation_of(comparison.spans(), &Span::rate_differences),
+                      deviation_of(comparison.spans(), &Span::attitude_differences)};
+  judgement.digits = digits_of(reader, comparison, scatter);
+  if (are_errors_smooth(judgement)) judgement.noise = scatter;
   judgement.rate_resolution = reader.rate_resolution();
   judgement.attitude_resolution = reader.attitude_resolution();
   judgement.course = std::move(comparison.spans());
