@@ -1,7 +1,9 @@
 #include "recording/recording.h"
 
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 
 #include <Eigen/Geometry>
 #include <array>
@@ -104,6 +106,38 @@ TEST(Recording, ReadsNumberedQuaternionsInTheirUsualOrder) {
   text.replace(text.find("q0,q1,q2,q3"), 11, "q3,q0,q1,q2");
   const Recording last(table::open_table("run.csv", text));
   EXPECT_THROW(choose_convention(last, {}, tumbling_problem()), InvalidArgument);
+}
+
+/// The numbers of an attitude under these names, beside the rates of a simulator without a
+/// gyroscopic term: they do not change, and the attitude integrates them.
+template <typename Numbers>
+std::string without_gyroscopic_term(const char* names, const Numbers& numbers) {
+  std::string text = fmt::format("t,{},wx,wy,wz", names);
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.05 * i;
+    text += fmt::format("\n{},{:.17g},{},{},{}", t, fmt::join(numbers(so3::exp(t * omega)), ","),
+                        omega[0], omega[1], omega[2]);
+  }
+  return text;
+}
+
+// A wrong law is named in the usual reading, which it explains, too.
+TEST(Recording, AsksNothingBecauseOfAWrongLaw) {
+  const auto choice = [](const std::string& text) {
+    return choose_convention(Recording(table::open_table("run.csv", std::string_view(text))), {},
+                             tumbling_problem());
+  };
+  const auto quaternion = [](const Eigen::Matrix3d& X) {
+    const Eigen::Quaterniond q(X);
+    return std::array{q.w(), q.x(), q.y(), q.z()};
+  };
+  EXPECT_EQ(choice(without_gyroscopic_term("q0,q1,q2,q3", quaternion)).columns.at("qw"), "q0");
+  EXPECT_THROW(choice(without_gyroscopic_term("q3,q0,q1,q2", quaternion)), InvalidArgument);
+  const auto vector = [](const Eigen::Matrix3d& X) {
+    const Eigen::Vector3d v = so3::log(X);
+    return std::array{v[0], v[1], v[2]};
+  };
+  EXPECT_EQ(choice(without_gyroscopic_term("rx,ry,rz", vector)).columns.at("rvx"), "rx");
 }
 
 /// Angles about these axes, each as turned by the rotations before, in columns of their names.

@@ -10,14 +10,12 @@
 #include <utility>
 
 #include "check/hypotheses/changed_rows.h"
+#include "check/hypotheses/lawful_readings.h"
 #include "check/hypotheses/other_conventions.h"
-#include "check/law/attitude_rates.h"
 #include "check/law/mistakes.h"
 #include "check/verdict/fit.h"
-#include "check/verdict/stop.h"
 #include "recording/conventions/units.h"
 #include "recording/informative_rows.h"
-#include "recording/row_reader.h"
 #include "recording/rows.h"
 #include "table/error.h"
 
@@ -305,60 +303,6 @@ Alternatives alternatives(const Recording& recording, const Problem& problem,
 
 namespace {
 
-/// Rows that are spread over the whole file, or those of its beginning if the body turns by more
-/// than about a radian between the former.
-std::vector<Row> spread_rows(const Recording& recording, const Problem& problem,
-                             const Convention& convention) {
-  recording::ThinnedRows thinned(most_fitted_rows);
-  recording::RowReader reader = recording.rows(convention);
-  Row row, before;
-  double speed = 0;
-  while (reader.next(row)) {
-    throw_if_stopped(problem.stop);
-    thinned.add(row);
-    const bool is_implied = !reader.has_rates() && row.number > 1;
-    speed = std::max(speed, is_implied
-                                ? so3::log(before.X.transpose() * row.X).norm() / (row.t - before.t)
-                                : row.omega.norm());
-    before = row;
-  }
-  const double turn = speed * row.t / static_cast<double>(thinned.rows().size());
-  return turn < 1 ? thinned.rows() : beginning(recording, convention, most_fitted_rows);
-}
-
-RowParts parts_of(const Judgement& judgement) {
-  if (!judgement.has_attitude) return RowParts::rates;
-  return judgement.has_rates ? RowParts::both : RowParts::attitude;
-}
-
-/// Rows to which laws are fitted, and their noise.
-struct LawRows {
-  std::vector<Row> rows;
-  RelativeNoise noise;
-};
-
-/// Spread rows in a convention, with the rates of the attitude if there are no others.
-LawRows law_rows(const Recording& recording, const Problem& problem, const Convention& convention,
-                 const Judgement& judgement) {
-  std::vector<Row> rows = spread_rows(recording, problem, convention);
-  const Noise& noise = judgement.noise;
-  if (judgement.has_rates) {
-    const double speed = judgement.reference.body.omega().norm();
-    return {std::move(rows), {noise.rate / speed, noise.attitude}};
-  }
-  const double error = std::max(noise.attitude, judgement.digits.attitude);
-  RowsWithRates derived = with_rates_of_attitude(rows, error);
-  const bool is_noise = noise.attitude > 0;
-  return {std::move(derived.rows), {is_noise ? derived.noise : 0, noise.attitude}};
-}
-
-/// The wrong laws that the rows follow as they are read.
-WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judgement& judgement) {
-  if (judgement.reference.body.omega().norm() == 0) return {};
-  const LawRows law = law_rows(recording, problem, judgement.convention, judgement);
-  return wrong_laws(problem.inertia, law.rows, parts_of(judgement), law.noise);
-}
-
 /// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
 /// leave more than a wrong law does, or more than so many changes of the reading must explain. Each
 /// change can explain a part of anything, so each further one must explain more.
@@ -384,15 +328,6 @@ void remove_partial_fits(Alternatives& found, const Recording& recording, const 
   if (found.fitting.empty() && !all.empty()) found.nearest = all.front();
 }
 
-/// The part of the changes in rates and attitude that even the best law misses.
-double miss_of(const WrongLaws& laws) {
-  const auto least = [](const std::vector<Explanation>& all, double as_read) {
-    return all.empty() ? as_read : std::ranges::min(all, {}, &Explanation::miss).miss;
-  };
-  return std::max(least(laws.of_rates, laws.rates_miss),
-                  least(laws.of_attitude, laws.attitude_miss));
-}
-
 /// Whether a single mistake that is usual explains both the rates and the attitude.
 bool is_one_usual_mistake(const WrongLaws& laws) {
   constexpr double explained = 1e-3;
@@ -415,8 +350,12 @@ Alternatives better_readings(const Recording& recording, const Problem& problem,
   // Few rows may follow another law, such as those at a limit of the speed.
   if (*miss < good && !is_of_another_start) return {.laws = laws};
   const bool is_usual = is_one_usual_mistake(laws);
-  // Rates alone are those of a reversed gyroscopic term in a reading with mirrored axes, too.
-  if (is_usual && judgement.has_attitude) return {.laws = laws};
+  // Rates alone are those of a reversed gyroscopic term in a reading with mirrored axes, too, and
+  // attitudes alone those of swapped factors if they are inverse as well.
+  const bool is_reading =
+      is_usual && (judgement.has_rates ? !judgement.has_attitude
+                                       : laws.of_rates.front().mistake == Mistake::swapped_factors);
+  if (is_usual && !is_reading) return {.laws = laws};
   const bool rates_follow = judgement.has_rates && judgement.has_attitude && !is_of_another_start &&
                             judgement.misfit.rates && laws.rates_miss < good;
   Alternatives found = Search(read_row_sample(recording, judgement.convention), problem,

@@ -118,6 +118,14 @@ std::vector<Candidate> candidates_for_rates(const Matrix3d& inertia, const RowSc
   return candidates;
 }
 
+std::vector<Candidate> candidates_for_attitude_alone(const Matrix3d& inertia,
+                                                     const RowScales& scales) {
+  std::vector<Candidate> candidates = candidates_for_rates(inertia, scales, true);
+  candidates.push_back(
+      plain(Mistake::swapped_factors, [](Law& law) { law.kinematics = Kinematics::space_rates; }));
+  return candidates;
+}
+
 std::vector<Candidate> candidates_for_attitude(const RowScales& scales) {
   const auto with_kinematics = [](Kinematics kinematics) {
     return [kinematics](Law& law, double k) {

@@ -29,6 +29,11 @@ struct RowScales {
 std::vector<Candidate> candidates_for_rates(const Eigen::Matrix3d& inertia, const RowScales& scales,
                                             bool has_attitude);
 
+/// Every mistake that rates show which follow from attitudes. If the factors of the attitude's
+/// equation are swapped, they are the rates in the axes of space, seen from the body.
+std::vector<Candidate> candidates_for_attitude_alone(const Eigen::Matrix3d& inertia,
+                                                     const RowScales& scales);
+
 /// Every mistake in the law of the attitude.
 std::vector<Candidate> candidates_for_attitude(const RowScales& scales);
 

@@ -83,7 +83,10 @@ using Residual = Vector3d (*)(const Law& law, const State& from, const State& to
 
 Vector3d rates_residual(const Law& law, const State& from, const State& to, double time,
                         double law_step) {
-  return advanced(law, from, time, law_step).omega - to.omega;
+  if (law.kinematics != Kinematics::space_rates)
+    return advanced(law, from, time, law_step).omega - to.omega;
+  const State end = advanced(law, {from.X * from.omega, from.X}, time, law_step);
+  return end.X.conjugate() * end.omega - to.omega;
 }
 
 Vector3d attitude_residual(const Law& law, const State& from, const State& to, double time,
@@ -306,8 +309,11 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, RowPart
   WrongLaws found;
   found.rates_miss = of_rates.miss_of_right();
   if (found.rates_miss > good) {
-    found.of_rates = explanations(Comparer(few, rates_of(few, noise), right, noise.rates), of_rates,
-                                  candidates_for_rates(inertia, scales, parts != RowParts::rates));
+    found.of_rates =
+        explanations(Comparer(few, rates_of(few, noise), right, noise.rates), of_rates,
+                     parts == RowParts::attitude
+                         ? candidates_for_attitude_alone(inertia, scales)
+                         : candidates_for_rates(inertia, scales, parts == RowParts::both));
   }
   found.attitude_miss = 0;
   if (parts != RowParts::both) return found;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "check/hypotheses/hypotheses.h"
+#include "check/hypotheses/lawful_readings.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/hypotheses/readings.h"
 #include "recording/angle_choice.h"
@@ -187,6 +188,13 @@ std::optional<Reading> fitting_one(const recording::Recording& recording,
   return fitting ? fitting : only_fitting(readings(recording, inertia, without));
 }
 
+/// The only reading in which a wrong law explains the rows.
+std::optional<Reading> lawful_one(const recording::Recording& recording, const Problem& problem,
+                                  const std::vector<Convention>& open) {
+  constexpr std::size_t most = 16;  // each takes as long as a check
+  return open.size() > most ? std::nullopt : only_lawful(recording, problem, open);
+}
+
 }  // namespace
 
 Convention choose_convention(const recording::Recording& recording, const Convention& given,
@@ -200,6 +208,10 @@ Convention choose_convention(const recording::Recording& recording, const Conven
   if (open.size() == 1) return open.front();
   std::optional<Reading> fitting;
   if (problem) fitting = fitting_one(recording, problem->inertia, open);
+  constexpr double clearly = 1e-3;
+  if (problem && !(fitting && *fitting->misfit.worst() < clearly)) {
+    if (const auto lawful = lawful_one(recording, *problem, open)) fitting = lawful;
+  }
   const bool is_usual = fitting && (is_usual_order(header, open, fitting->convention) ||
                                     is_usual_sequence(open, fitting->convention) ||
                                     is_usual_vector(open, fitting->convention));

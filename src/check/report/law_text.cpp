@@ -89,7 +89,7 @@ std::string swapped_text(const Explanation& explanation) {
   std::string text =
       "the attitude takes the rates, which are in the body's axes, for rates in space, as if the "
       "factors in X' = X hat(w) or q' = 1/2 q w were swapped";
-  if (explanation.value[0] != 1)
+  if (explanation.value.size() > 0 && explanation.value[0] != 1)
     text += fmt::format(", and turns {} times as fast", number_text(explanation));
   return text;
 }

@@ -68,6 +68,16 @@ TEST(WrongLaws, HaveTheirNumbers) {
   EXPECT_EQ(found.of_attitude[0].free_numbers, 0);
 }
 
+// The rates of these attitudes are those of a free body in the axes of space, not of the body.
+TEST(WrongLaws, OfAttitudesAloneHaveSwappedFactors) {
+  std::vector<Row> rows =
+      rows_of_law({.inertia = inertia, .kinematics = Kinematics::space_rates}, 200, 0.05);
+  for (Row& row : rows) row.omega = (row.X.transpose() * row.omega).eval();
+  const WrongLaws found = wrong_laws(inertia, rows, RowParts::attitude, no_noise);
+  ASSERT_THAT(found.of_rates, SizeIs(1));
+  EXPECT_EQ(found.of_rates[0].mistake, Mistake::swapped_factors);
+}
+
 // Only the first tenth of these rows is at the limit: later the body turns as a free one.
 TEST(WrongLaws, OfFewRowsAreFound) {
   Law law{.inertia = inertia};
