@@ -94,13 +94,6 @@ double miss_of_kinematics(const LawRows& law) {
   return squares > 0 ? std::sqrt(differences / squares) : std::numeric_limits<double>::infinity();
 }
 
-/// A reading, and how well a law or the kinematics explains it.
-struct Lawful {
-  Reading reading;
-  double miss;
-  int free_numbers;  ///< of the law
-};
-
 /// Explains the rows by the best law or, if that leaves less, by the kinematics, which rates of an
 /// unknown law follow, too.
 Lawful lawful(const Recording& recording, const Problem& problem, const Convention& convention) {
@@ -119,8 +112,15 @@ Lawful lawful(const Recording& recording, const Problem& problem, const Conventi
 
 }  // namespace
 
-std::optional<Reading> only_lawful(const Recording& recording, const Problem& problem,
-                                   std::span<const Convention> conventions) {
+double miss_of_free_body(const Recording& recording, const Problem& problem,
+                         const Convention& convention) {
+  const Judgement judgement = judge(recording, convention, problem);
+  const auto [rows, noise] = law_rows(recording, problem, convention, judgement);
+  return rows.empty() ? 0 : largest_miss(problem.inertia, rows, parts_of(judgement), noise);
+}
+
+std::optional<Lawful> only_lawful(const Recording& recording, const Problem& problem,
+                                  std::span<const Convention> conventions) {
   std::vector<Lawful> all;
   for (const Convention& convention : conventions) {
     try {
@@ -140,7 +140,7 @@ std::optional<Reading> only_lawful(const Recording& recording, const Problem& pr
   // A fitted number explains a part of anything.
   const int fewest = std::ranges::min(all, {}, &Lawful::free_numbers).free_numbers;
   std::erase_if(all, [fewest](const Lawful& one) { return one.free_numbers > fewest; });
-  return all.size() == 1 ? std::optional(all.front().reading) : std::nullopt;
+  return all.size() == 1 ? std::optional(all.front()) : std::nullopt;
 }
 
 }  // namespace twrench::check

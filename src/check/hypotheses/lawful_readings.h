@@ -32,9 +32,20 @@ WrongLaws laws_of(const recording::Recording& recording, const Problem& problem,
 /// The part of the changes in rates and attitude that even the best law misses.
 double miss_of(const WrongLaws& laws);
 
+/// A reading, and how well a law or the kinematics explains it.
+struct Lawful {
+  Reading reading;
+  double miss;       ///< as of miss_of()
+  int free_numbers;  ///< of the law
+};
+
+/// What the motion of a free body misses. Throws as judge() does.
+double miss_of_free_body(const recording::Recording& recording, const Problem& problem,
+                         const recording::Convention& convention);
+
 /// Returns the reading in which a wrong law explains the rows, or their attitude integrates their
 /// rates, if all others explain far less or with more fitted numbers; otherwise nothing.
-std::optional<Reading> only_lawful(const recording::Recording& recording, const Problem& problem,
-                                   std::span<const recording::Convention> conventions);
+std::optional<Lawful> only_lawful(const recording::Recording& recording, const Problem& problem,
+                                  std::span<const recording::Convention> conventions);
 
 }  // namespace twrench::check

@@ -188,11 +188,19 @@ std::optional<Reading> fitting_one(const recording::Recording& recording,
   return fitting ? fitting : only_fitting(readings(recording, inertia, without));
 }
 
-/// The only reading in which a wrong law explains the rows.
+/// The only reading in which a wrong law explains the rows, unless a reading that no name suggests
+/// does so as well without a wrong law.
 std::optional<Reading> lawful_one(const recording::Recording& recording, const Problem& problem,
                                   const std::vector<Convention>& open) {
   constexpr std::size_t most = 16;  // each takes as long as a check
-  return open.size() > most ? std::nullopt : only_lawful(recording, problem, open);
+  if (open.size() > most) return {};
+  const std::optional<Lawful> found = only_lawful(recording, problem, open);
+  if (!found) return {};
+  const auto other = unexpected(recording, problem, open);
+  if (!other) return found->reading;
+  const double miss = miss_of_free_body(recording, problem, other->convention);
+  constexpr double as_well = 20, round_off = 1e-8;
+  return miss < as_well * found->miss + round_off ? other : found->reading;
 }
 
 }  // namespace
@@ -206,16 +214,20 @@ Convention choose_convention(const recording::Recording& recording, const Conven
     for (Convention& convention : open) convention.inertia = problem->inertia;
   }
   if (open.size() == 1) return open.front();
+  const auto is_usual = [&](const Reading& reading) {
+    const Convention& one = reading.convention;
+    const auto is_same = [&](const Convention& other) { return count_changes(other, one) == 0; };
+    return std::ranges::any_of(open, is_same) &&
+           (is_usual_order(header, open, one) || is_usual_sequence(open, one) ||
+            is_usual_vector(open, one));
+  };
   std::optional<Reading> fitting;
   if (problem) fitting = fitting_one(recording, problem->inertia, open);
   constexpr double clearly = 1e-3;
   if (problem && !(fitting && *fitting->misfit.worst() < clearly)) {
     if (const auto lawful = lawful_one(recording, *problem, open)) fitting = lawful;
   }
-  const bool is_usual = fitting && (is_usual_order(header, open, fitting->convention) ||
-                                    is_usual_sequence(open, fitting->convention) ||
-                                    is_usual_vector(open, fitting->convention));
-  if (is_usual) return fitting->convention;
+  if (fitting && is_usual(*fitting)) return fitting->convention;
   if (problem && !fitting) fitting = unexpected(recording, *problem, open);
   if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;
   throw ambiguous(header, open, fitting);
