@@ -9,6 +9,7 @@
 
 #include "recording/columns/derived_times.h"
 #include "recording/conventions/convention.h"
+#include "recording/filled_rows.h"
 #include "recording/row_reader.h"
 #include "recording/rows.h"
 #include "table/reader.h"
@@ -29,7 +30,7 @@ struct RowSample {
 class Recording {
  public:
   explicit Recording(std::unique_ptr<table::Reader> table)
-      : table_(with_derived_times(std::move(table))) {}
+      : table_(std::make_shared<FilledRows>(with_derived_times(std::move(table)))) {}
   /// Opens a file. Throws what table::open_table throws.
   explicit Recording(const std::filesystem::path& file) : Recording(table::open_table(file)) {
     path_ = file;
@@ -46,6 +47,9 @@ class Recording {
   /// The path of the file, or the name that messages give to a table in memory.
   const std::string& name() const { return header().file; }
 
+  /// The rows at the start and the end that the last pass left out because they lack a number.
+  std::string left_out() const { return table_->left_out(); }
+
   /// The path of the file; empty for a table in memory.
   const std::filesystem::path& path() const { return path_; }
 
@@ -57,7 +61,7 @@ class Recording {
   const RowSample& first_rows(const std::vector<std::size_t>& columns) const;
 
  private:
-  std::shared_ptr<table::Reader> table_;
+  std::shared_ptr<FilledRows> table_;
   std::filesystem::path path_;
   Extract extract_;
   mutable RowSample first_rows_;

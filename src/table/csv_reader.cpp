@@ -27,8 +27,9 @@ std::string_view without_seconds(std::string_view cell) {
 
 }  // namespace
 
-CsvReader::CsvReader(Input input) : input_(std::move(input)), lines_(input_) {
+CsvReader::CsvReader(Input input, std::string sequence) : input_(std::move(input)), lines_(input_) {
   header_.file = input_.name();
+  header_.sequence = std::move(sequence);
   header_.preamble = find_preamble(input_);
   const Sample sample = read_sample(input_, header_.preamble.size());
   if (sample.lines.empty())
@@ -143,6 +144,9 @@ void CsvReader::read_cell(std::string_view cell, Selected& selected,
     reading = read_number(without_seconds(cell), dialect_.decimal_comma, number);
   }
   const std::string& name = header_.names[selected.column];
+  if (reading == Reading::text && cell.empty())
+    throw EmptyCell(cell_place(place(), name), "the cell is empty",
+                    "each row needs a number there");
   if (reading == Reading::text) throw no_number(place(), name, cell);
   if (reading == Reading::too_large) throw too_large(place(), name, cell);
 }

@@ -18,7 +18,8 @@ namespace twrench::table {
 /// blanks.
 class CsvReader : public Reader {
  public:
-  explicit CsvReader(Input input);
+  /// `sequence` is that of Euler angles, if the file states it.
+  explicit CsvReader(Input input, std::string sequence = {});
 
   void begin_pass(std::span<const std::size_t> columns) override;
   bool next(std::span<Number> numbers) override;

@@ -19,9 +19,7 @@ std::string cell_place(const std::string& row_place, const std::string& column) 
 }
 
 BadTable no_number(const std::string& row_place, const std::string& column, std::string_view text) {
-  const std::string place = cell_place(row_place, column);
-  if (text.empty()) return {place, "the cell is empty", "each row needs a number there"};
-  return {place, fmt::format("{} is no number", shown(text)),
+  return {cell_place(row_place, column), fmt::format("{} is no number", shown(text)),
           "correct or remove the row, or choose another column"};
 }
 

@@ -14,10 +14,16 @@ class BadTable : public InvalidArgument {
   using InvalidArgument::InvalidArgument;
 };
 
+/// A cell that needs a number is empty.
+class EmptyCell : public BadTable {
+ public:
+  using BadTable::BadTable;
+};
+
 /// The location of a cell in messages: "run.csv:17: the column 'wx'".
 std::string cell_place(const std::string& row_place, const std::string& column);
 
-/// The error for a cell that is not a number: it has other text, or none.
+/// The error for a cell that is not a number.
 BadTable no_number(const std::string& row_place, const std::string& column, std::string_view text);
 
 /// The error for a cell that has no calendar time of the kind in the first row.

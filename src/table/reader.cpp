@@ -19,6 +19,7 @@
 #include "table/line_reader.h"
 #include "table/npy_reader.h"
 #include "table/npz_reader.h"
+#include "table/opensim_quaternions.h"
 #include "table/stk_attitude.h"
 #include "table/utf16.h"
 
@@ -88,7 +89,11 @@ std::unique_ptr<Reader> open_format(Input input) {
                             "the file is a CCSDS message without attitude ephemerides",
                             "of these, the attitude ephemeris messages (AEM) are read");
   }
-  if (is_of_stk(start)) return std::make_unique<CsvReader>(table_of_stk(input));
+  if (is_of_stk(start)) {
+    StkTable table = table_of_stk(input);
+    return std::make_unique<CsvReader>(std::move(table.input), std::move(table.sequence));
+  }
+  if (has_quaternion_cells(start)) return std::make_unique<CsvReader>(table_of_quaternions(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
   return std::make_unique<CsvReader>(std::move(input));
 }

@@ -175,6 +175,18 @@ TEST(Conventions, FindAttitudesAsDatasetsNameThem) {
       SizeIs(1));
 }
 
+// Basilisk's Euler parameters, PyBullet's orientation, and the floating base of Drake.
+TEST(Conventions, FindQuaternionsAsEnginesNameThem) {
+  EXPECT_THAT(readings_of({"t", "beta_BN_0", "beta_BN_1", "beta_BN_2", "beta_BN_3"}),
+              testing::Contains("t=t,qw=beta_BN_0,qx=beta_BN_1,qy=beta_BN_2,qz=beta_BN_3"));
+  EXPECT_THAT(readings_of({"t", "orn_x", "orn_y", "orn_z", "orn_w"}),
+              ElementsAre("t=t,qw=orn_w,qx=orn_x,qy=orn_y,qz=orn_z"));
+  EXPECT_THAT(readings_of({"t", "$world_body_qw", "$world_body_qx", "$world_body_qy",
+                           "$world_body_qz", "$world_body_x"}),
+              ElementsAre("t=t,qw=$world_body_qw,qx=$world_body_qx,qy=$world_body_qy,"
+                          "qz=$world_body_qz"));
+}
+
 // As OpenSim writes it.
 TEST(Owners, MayPrecedeTheNames) {
   EXPECT_THAT(readings_of({"Sat.ElapsedSecs", "Sat.AngularVelocityX", "Sat.AngularVelocityY",

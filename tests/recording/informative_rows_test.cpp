@@ -31,7 +31,7 @@ std::string refusal_of(const std::string& text) {
 }
 
 TEST(InformativeRows, NameTheRowThatIsWrong) {
-  EXPECT_THAT(refusal_of("t,p,q,r\n0,1,1,1\n1,1,nan,1\n"),
+  EXPECT_THAT(refusal_of("t,p,q,r\n0,1,1,1\n1,1,nan,1\n2,1,1,1\n"),
               HasSubstr("run.csv:3: the column 'q': nan is not finite"));
   const std::string names = "t,qw,qx,qy,qz\n", rest = "0,1,0,0,0\n1,1,0,0,0\n";
   EXPECT_THAT(refusal_of(names + rest + "2,0,0,0,0\n"),

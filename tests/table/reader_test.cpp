@@ -157,13 +157,40 @@ TEST(StkAttitude, IsATable) {
   EXPECT_EQ(read_table(head + "AttitudeTimeDCM\n0 1 0 0 0 0 1 0 -1 0\n1 1 0 0 0 0 1 0 -1 0" + end)
                 .names[2],
             "x21");
-  EXPECT_THAT(
-      file_error_of(head + "AttitudeTimeYPRAngles\n" + rows + end),
-      testing::HasSubstr("run:6: its attitudes are AttitudeTimeYPRAngles, which are not read"));
+  EXPECT_THAT(file_error_of(head + "AttitudeTimeECFVector\n" + rows + end),
+              testing::HasSubstr("run:6: its attitudes are AttitudeTimeECFVector, which are not "
+                                 "read"));
   EXPECT_THAT(file_error_of(head + "AttitudeTimeQuaternions\n" + rows),
               testing::HasSubstr("it is cut off: END Attitude is missing"));
   EXPECT_THAT(table_error_of(head + "AttitudeTimeQuaternions\n" + rows + "2 0 0 x 1\n" + end),
               testing::HasSubstr("run:10: the column 'qz': 'x' is no number"));
+}
+
+// Euler angles turn about axes that turn with the body, yaw, pitch and roll about fixed ones.
+TEST(StkAttitude, StatesTheSequenceOfItsAngles) {
+  const auto opened = [](const std::string& keywords) {
+    static std::string text;
+    text = "stk.v.11.0\n BEGIN Attitude\n" + keywords +
+           "\n0 10 20 30\n1 11 21 31\n2 12 22 32\nEND Attitude\n";
+    return open_table("run", text)->header();
+  };
+  const Header euler = opened(" Sequence 312\n AttitudeTimeEulerAngles");
+  EXPECT_EQ(euler.sequence, "zxy");
+  EXPECT_EQ(euler.names, (std::vector<std::string>{"t", "yaw_deg", "roll_deg", "pitch_deg"}));
+  EXPECT_EQ(opened("Sequence 313\nAttitudeTimeEulerAngles").names[2], "pitch_deg");
+  const Header ypr = opened("Sequence YPR\nAttitudeTimeYPRAngles");
+  EXPECT_EQ(ypr.sequence, "xyz");
+  EXPECT_EQ(ypr.names, (std::vector<std::string>{"t", "yaw_deg", "pitch_deg", "roll_deg"}));
+}
+
+TEST(OpenSim, HasAColumnForEachComponentOfAQuaternion) {
+  const Table table = read_table(
+      "DataRate=50\nDataType=Quaternion\nendheader\ntime\tpelvis_imu\n0\t1,0,0,0\n"
+      "0.02\t0.5,0.5,0.5,0.5\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"time", "pelvis_imu.qw", "pelvis_imu.qx",
+                                                   "pelvis_imu.qy", "pelvis_imu.qz"}));
+  EXPECT_EQ(table.rows,
+            (std::vector<std::vector<double>>{{0, 1, 0, 0, 0}, {0.02, 0.5, 0.5, 0.5, 0.5}}));
 }
 
 }  // namespace

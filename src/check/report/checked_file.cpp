@@ -95,6 +95,7 @@ CheckedFile check_file(recording::Recording recording, const Convention& given,
                        const Problem& problem, const Bounds& bounds) {
   const Convention convention = choose_convention(recording, given, problem);
   CheckedFile file{recording.name(), judge(recording, convention, problem), {}, {}, {}, 0};
+  file.left_out = recording.left_out();
   file.alternatives = better_readings(recording, problem, file.judgement);
   file.other_start = other_start_of(recording, file, problem);
   if (given.columns.empty()) file.unread = unread_columns(recording.header(), convention);

@@ -225,7 +225,9 @@ Convention choose_convention(const recording::Recording& recording, const Conven
   if (problem) fitting = fitting_one(recording, problem->inertia, open);
   constexpr double clearly = 1e-3;
   if (problem && !(fitting && *fitting->misfit.worst() < clearly)) {
-    if (const auto lawful = lawful_one(recording, *problem, open)) fitting = lawful;
+    // Attitudes alone may follow a wrong law in an unusual order by chance.
+    const auto lawful = lawful_one(recording, *problem, open);
+    if (lawful && (has_rates(lawful->convention) || is_usual(*lawful))) fitting = lawful;
   }
   if (fitting && is_usual(*fitting)) return fitting->convention;
   if (problem && !fitting) fitting = unexpected(recording, *problem, open);

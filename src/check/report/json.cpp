@@ -207,6 +207,7 @@ Json file_json(const CheckedFile& file) {
           {"step", file.step},
           {"read_as", convention_json(judgement.convention)},
           {"unread", file.unread},
+          {"left_out", file.left_out},
           {"omega", vector_json(judgement.reference.body.omega() * unit.per_radian)},
           {"omega_at", clock_time(judgement, judgement.reference.start)},
           {"rates", size_json(judgement, judgement.rates, unit.per_radian, unit.symbol)},

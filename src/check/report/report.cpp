@@ -66,6 +66,11 @@ std::string start_text(const Judgement& judgement) {
   return text;
 }
 
+/// The rows without numbers.
+std::string left_out_text(const CheckedFile& file) {
+  return file.left_out.empty() ? std::string() : file.left_out + ", where numbers are missing";
+}
+
 /// The columns that are not read, but could be rates or an attitude.
 std::string unread_text(const CheckedFile& file) {
   if (file.unread.empty()) return {};
@@ -220,6 +225,7 @@ std::string file_text(const CheckedFile& file, const ArgumentWording& wording) {
                      clock_text(judgement, 0), clock_text(judgement, judgement.duration)) +
          line("read as", text::escape(reading_text(judgement))) +
          line("not read", text::escape(with_arguments(unread_text(file), wording))) +
+         line("left out", text::escape(left_out_text(file))) +
          line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
          line("rate error", size_text(judgement, judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement, judgement.attitude, degrees(1), "deg")) +

@@ -102,14 +102,14 @@ void add_quaternion(const Words& all_words, std::vector<Role>& roles) {
   if (words.size() < 2) return;
   const Words rest = without(words, words.size() - 1);
   const List orders{"wxyz", "xyzw"};
-  const List names{"q",        "quat", "quaternion", "orientation", "orient",       "ori",
-                   "attitude", "att",  "quats",      "quaternions", "orientations", "attitudes"};
+  const List names{"q",   "quat",  "quaternion",  "orientation",  "orient",    "ori", "attitude",
+                   "att", "quats", "quaternions", "orientations", "attitudes", "orn", "beta"};
   const bool is_weak = !has_any(rest, names);
   const bool is_known =
       (!is_weak || has_any(rest, {"rotation", "rot"})) &&
       std::ranges::all_of(rest, [&](const auto& word) {
         return is_in(names, word) || is_in(orders, word) ||
-               is_in({"body", "rotation", "rot", "b", "i", "n", "e", "a"}, word) ||
+               is_in({"body", "base", "world", "rotation", "rot", "b", "i", "n", "e", "a"}, word) ||
                is_owner(word) || is_frame_pair(word);
       });
   if (!is_known) return;
