@@ -137,6 +137,8 @@ TEST(Conventions, KnowTheColumnsOfAFileWithoutNamesByTheirNumber) {
     return names;
   };
   EXPECT_THAT(readings_of(unnamed(4)), ElementsAre("t=#1,wx=#2,wy=#3,wz=#4"));
+  EXPECT_THAT(readings_of({"Var1", "Var2", "Var3", "Var4"}),
+              ElementsAre("t=Var1,wx=Var2,wy=Var3,wz=Var4"));
   EXPECT_THAT(readings_of(unnamed(5)),
               ElementsAre("t=#1,qw=#2,qx=#3,qy=#4,qz=#5", "t=#1,qw=#5,qx=#2,qy=#3,qz=#4"));
   EXPECT_THAT(readings_of(unnamed(8)),

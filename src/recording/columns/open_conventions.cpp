@@ -157,11 +157,15 @@ std::vector<ColumnSet> find_attitudes(const table::Header& header, const Convent
   return found;
 }
 
+/// Whether the names only count the columns; MATLAB writes Var1, Var2 ... for a matrix.
 bool is_without_names(const table::Header& header) {
-  for (std::size_t i = 0; i < header.names.size(); ++i) {
-    if (header.names[i] != fmt::format("#{}", i + 1)) return false;
-  }
-  return true;
+  const auto count = [&](std::string_view before) {
+    for (std::size_t i = 0; i < header.names.size(); ++i) {
+      if (header.names[i] != fmt::format("{}{}", before, i + 1)) return false;
+    }
+    return true;
+  };
+  return count("#") || count("Var");
 }
 
 /// The columns of a kind from `first` on, in each order that they may have.
