@@ -61,6 +61,14 @@ TEST(Verdict, TakesRowsThatAreFarApartForNoNoise) {
   EXPECT_EQ(fault_of_verdict(random_recording(61001, 3777), folder.path()), "");
 }
 
+// The digits of these attitudes leave so much of the rates that moments fit no better by chance.
+TEST(Verdict, PrefersAMistakeWithoutAFittedNumberInAttitudesAlone) {
+  const ScratchFolder folder;
+  const VerdictOnLaw verdict = verdict_on(wrong_simulation(72004, 191), folder.path());
+  EXPECT_EQ(verdict.fault, "");
+  EXPECT_TRUE(verdict.names_mistake);
+}
+
 // Of this body, which is almost symmetric, delayed rates look almost like those of a fixed part.
 TEST(Verdict, PrefersALawThatExplainsFarMoreThanAReading) {
   const ScratchFolder folder;

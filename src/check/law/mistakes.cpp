@@ -257,12 +257,14 @@ std::vector<Explanation> best(std::vector<Explanation> all, const Comparer& prec
   constexpr double far_better = 0.01, clearly_better = 0.5;
   const Explanation nearest = std::ranges::min(all, {}, &Explanation::miss);
   const double least = nearest.miss;
-  const bool is_noise = least < about_noise * precisely.miss_of_noise(nearest.law);
+  const double of_noise = precisely.miss_of_noise(nearest.law);
+  const bool is_noise = least < about_noise * of_noise;
   if (!(least < (is_noise ? clearly_better : far_better) * precisely.miss_of_right())) return {};
-  // By chance, noise lets the sum of squares, in units of its variance, differ by no more.
+  // By chance, noise lets the sum of squares, in units of its variance, differ by no more. Its
+  // variance may be overestimated, so that even a law leaves less.
   constexpr double as_well = 3, of_methods = 1e-6, of_chance = 30;
-  const double ratio = is_noise ? std::sqrt(1 + of_chance / precisely.count()) : as_well;
-  const double most = std::max(ratio * least, of_methods);
+  const double chance = std::sqrt(of_chance / precisely.count()) * std::max(least, of_noise);
+  const double most = std::max(is_noise ? std::hypot(least, chance) : as_well * least, of_methods);
   std::erase_if(all, [most](const Explanation& one) { return !(one.miss <= most); });
   // In noise, fewer numbers explain about as much, too, and only usual ones are no coincidence.
   const int fewest = std::ranges::min(all, {}, &Explanation::free_numbers).free_numbers;
