@@ -1,9 +1,11 @@
 #include "table/opensim_quaternions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/letters.h"
 #include "table/dialect.h"

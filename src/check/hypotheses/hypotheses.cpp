@@ -1,6 +1,5 @@
 #include "check/hypotheses/hypotheses.h"
 
-#include <twrench/math/so3.h>
 #include <twrench/motion/exact.h>
 
 #include <algorithm>
