@@ -189,8 +189,13 @@ void require_no_free_motion(const scene::Scene& scene, const std::string& name,
   }
 }
 
-std::vector<std::string> notes_on(const recording::MotionOfRows& shown, const std::string& file) {
+std::vector<std::string> notes_on(const recording::MotionOfRows& shown,
+                                  const Recording& recording) {
+  const std::string& file = recording.name();
   std::vector<std::string> notes;
+  if (const std::string rows = recording.left_out(); !rows.empty()) {
+    notes.push_back(fmt::format("left out: {}, where numbers are missing", rows));
+  }
   if (!shown.has_attitude) {
     notes.push_back(fmt::format(
         "{} has no attitude: it is the integral of the rates, from the scene's attitude, with an "
@@ -251,7 +256,7 @@ void show_recording(scene::Scene& scene, const Recording& recording,
       recording, convention, scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()));
   set_start(scene.motion, file, shown.motion, shown.has_attitude);
 
-  std::vector<std::string> notes = notes_on(shown, name);
+  std::vector<std::string> notes = notes_on(shown, recording);
   if (!follows(file)) {
     require_no_free_motion(scene, name, why_not_free(name, body, file));
     const std::vector<std::string> omitted = leave_out(scene.overlay.show);
