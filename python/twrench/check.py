@@ -133,7 +133,7 @@ class Recording:
 
     @property
     def _origin(self) -> tuple[Source, Convention]:
-        """What it was read from, and how."""
+        """The data that it was read from, and their convention."""
         return self._source, self._convention
 
     @property

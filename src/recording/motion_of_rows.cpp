@@ -6,7 +6,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -47,22 +46,6 @@ std::size_t window_start(std::size_t i, std::size_t count, std::size_t size) {
   return std::min(i - before, size - count);
 }
 
-/// The weights with which values at the times of the window add up to the derivative at that of row
-/// `self`, where the value is zero: those of the polynomial through them, by Lagrange's formula.
-std::array<double, most_in_window> derivative_weights(std::span<const Instant> window,
-                                                      std::size_t self) {
-  std::array<double, most_in_window> weights{};
-  const auto time = [&](std::size_t k) { return window[k].t - window[self].t; };
-  for (std::size_t k = 0; k < window.size(); ++k) {
-    if (k == self) continue;
-    weights[k] = 1 / time(k);
-    for (std::size_t other = 0; other < window.size(); ++other) {
-      if (other != k && other != self) weights[k] *= time(other) / (time(other) - time(k));
-    }
-  }
-  return weights;
-}
-
 /// Sets the rates to the derivatives of the attitudes. `widest` is the largest turn between
 /// neighbours in rad.
 void derive_rates(std::span<Instant> rows, double widest) {
@@ -73,7 +56,9 @@ void derive_rates(std::span<Instant> rows, double widest) {
   for (std::size_t i = 0; count > 1 && i < rows.size(); ++i) {
     const std::size_t first = window_start(i, count, rows.size()), self = i - first;
     const std::span<const Instant> window = rows.subspan(first, count);
-    const auto weights = derivative_weights(window, self);
+    std::vector<double> times;
+    for (const Instant& instant : window) times.push_back(instant.t - rows[i].t);
+    const std::vector<double> weights = derivative_weights(times);
     Vector3d rate = Vector3d::Zero();
     for (std::size_t k = 0; k < count; ++k) {
       if (k != self) rate += weights[k] * turn_between(window[self], window[k]);

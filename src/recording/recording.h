@@ -36,7 +36,7 @@ class Recording {
     path_ = file;
   }
 
-  /// The same recording, of which only these rows are read.
+  /// Returns the same recording with only these rows.
   Recording between(const Extract& extract) const {
     Recording part = *this;
     part.extract_ = extract;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace twrench::recording {
@@ -28,6 +29,10 @@ struct Extract {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
 };
+
+/// The weights with which values at these times, one of which is 0, add up to their derivative at
+/// 0, where the value is zero: those of the polynomial through them, by Lagrange's formula.
+std::vector<double> derivative_weights(std::span<const double> times);
 
 /// Evenly spread rows of a file of any length: the first and every 2^k-th after it.
 class ThinnedRows {

@@ -35,14 +35,14 @@ using motion::RecordedMotion;
 using recording::Recording;
 using scene::Feature;
 
-/// What is drawn from the constants of a free motion.
+/// The features that are drawn from the constants of a free motion.
 constexpr std::array of_free_motion{Feature::momentum, Feature::plane, Feature::sphere,
                                     Feature::poinsot,  Feature::phase, Feature::forces,
                                     Feature::torques,  Feature::tip,   Feature::tilt};
 
 void require_one_motion(const scene::Scene& scene, const std::string& name) {
   if (!scene.shots.empty()) {
-    throw InvalidArgument(name, "the shots of " + scene.name + " have motions of their own",
+    throw InvalidArgument(name, "the shots of " + scene.name + " have separate motions",
                           "name a scene without shots, or a mesh");
   }
   if (!scene.overlay.compare_omega.empty() || !scene.overlay.compare_wheel.empty()) {
@@ -148,20 +148,47 @@ std::vector<double> flips_of(const RecordedMotion& motion, const check::Referenc
   return times;
 }
 
-/// Removes what needs a free motion, and returns the names of what was removed.
-std::vector<std::string> leave_out(std::set<Feature>& features) {
+/// Removes what needs a free motion, with a note. Throws InvalidArgument if nothing would be left.
+void leave_out(scene::Scene& scene, const std::string& name, const std::string& why,
+               std::vector<std::string>& notes) {
+  if (scene.overlay.view != scene::View::wrench) {
+    throw InvalidArgument(
+        name,
+        fmt::format("the view {} is that of a free motion, but {}",
+                    enumerator_name(scene.overlay.view), why),
+        "name the body by a scene, a mesh or its inertia, or show the view wrench");
+  }
   std::vector<std::string> names;
   for (const Feature feature : of_free_motion) {
-    if (features.erase(feature) > 0) names.emplace_back(enumerator_name(feature));
+    if (scene.overlay.show.erase(feature) > 0) names.emplace_back(enumerator_name(feature));
   }
-  return names;
+  if (names.empty()) return;
+  notes.push_back(fmt::format("{}, so these are left out: {}", why, fmt::join(names, ", ")));
 }
 
-/// A box, which is drawn for a body that is not known.
-scene::Body unknown_body() {
-  scene::Body body;
-  body.inertia = Eigen::Vector3d(2, 3, 4.5).asDiagonal();
-  return body;
+/// Draws a box for a body that is not known.
+void show_unknown_body(scene::Scene& scene, const std::string& name) {
+  if (!scene.overlay.compare.empty()) {
+    throw InvalidArgument(name, "the body is not given, so no motion can be compared with it",
+                          "name a scene or a mesh, or give its inertia");
+  }
+  scene::Body box;
+  box.inertia = Eigen::Vector3d(2, 3, 4.5).asDiagonal();
+  scene::replace_body(scene, std::move(box));
+  scene.name = std::filesystem::path(name).stem().string();
+}
+
+/// The convention of a recording that no free motion was fitted to.
+recording::Convention chosen(const scene::Scene& scene, const Recording& recording,
+                             const recording::Convention& given, Body body) {
+  std::optional<check::Problem> problem;
+  if (body == Body::known) {
+    problem = check::Problem{.inertia = scene::mass_properties(scene.body).inertia};
+  }
+  recording::Convention convention = check::choose_convention(recording, given, problem);
+  if (problem || !has_momentum(convention)) return convention;
+  throw InvalidArgument(recording.name(), "it has the angular momentum instead of rates",
+                        "name the body: a scene, a mesh or its inertia");
 }
 
 std::string why_not_free(const std::string& name, Body body,
@@ -174,19 +201,6 @@ std::string why_not_free(const std::string& name, Body body,
   }
   if (file) return name + " does not follow a free motion of this body";
   return fmt::format("no free motion of this body can be fitted to {}", name);
-}
-
-/// Throws InvalidArgument if the scene shows more of a free motion than can be left out.
-void require_no_free_motion(const scene::Scene& scene, const std::string& name,
-                            const std::string& why) {
-  const char* const remedy =
-      "name the body by a scene, a mesh or its inertia, or show the view wrench";
-  if (scene.overlay.view != scene::View::wrench) {
-    throw InvalidArgument(name,
-                          fmt::format("the view {} is that of a free motion, but {}",
-                                      enumerator_name(scene.overlay.view), why),
-                          remedy);
-  }
 }
 
 std::vector<std::string> notes_on(const recording::MotionOfRows& shown,
@@ -231,40 +245,21 @@ void show_recording(scene::Scene& scene, const Recording& recording,
   const std::string& name = recording.name();
   require_one_motion(scene, name);
   std::optional<check::CheckedFile> file;
-  std::optional<check::Problem> problem;
   switch (body) {
     case Body::known:
-      problem = check::Problem{.inertia = scene::mass_properties(scene.body).inertia};
       file = judged(scene, recording, given);
       break;
     case Body::unknown:
-      if (!scene.overlay.compare.empty()) {
-        throw InvalidArgument(name, "the body is not given, so no motion can be compared with it",
-                              "name a scene or a mesh, or give its inertia");
-      }
-      scene::replace_body(scene, unknown_body());
-      scene.name = std::filesystem::path(name).stem().string();
+      show_unknown_body(scene, name);
       break;
   }
-  const recording::Convention convention =
-      file ? file->judgement.convention : check::choose_convention(recording, given, problem);
-  if (!problem && has_momentum(convention)) {
-    throw InvalidArgument(name, "it has the angular momentum instead of rates",
-                          "name the body: a scene, a mesh or its inertia");
-  }
   recording::MotionOfRows shown = recording::motion_of_rows(
-      recording, convention, scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()));
+      recording, file ? file->judgement.convention : chosen(scene, recording, given, body),
+      scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()));
   set_start(scene.motion, file, shown.motion, shown.has_attitude);
 
   std::vector<std::string> notes = notes_on(shown, recording);
-  if (!follows(file)) {
-    require_no_free_motion(scene, name, why_not_free(name, body, file));
-    const std::vector<std::string> omitted = leave_out(scene.overlay.show);
-    if (!omitted.empty()) {
-      notes.push_back(fmt::format("{}, so these are left out: {}", why_not_free(name, body, file),
-                                  fmt::join(omitted, ", ")));
-    }
-  }
+  if (!follows(file)) leave_out(scene, name, why_not_free(name, body, file), notes);
   std::vector<double> flips;
   if (file) flips = flips_of(shown.motion, file->judgement.reference);
   const std::string digest = digest_of(shown.motion);

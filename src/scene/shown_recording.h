@@ -29,7 +29,7 @@ struct ShownRecording {
   /// How the recording follows the exact motion of a free body, in one line; empty if it was not
   /// compared.
   std::string verdict = {};
-  /// What is not shown, and what was filled in, one line each.
+  /// Notes on features that are not shown and on values that were filled in, one line each.
   std::vector<std::string> notes = {};
 };
 

@@ -4,6 +4,9 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+#include <string>
 
 #include "cli/twrench.h"
 
@@ -80,6 +83,32 @@ TEST_F(MotionFile, IsConverted) {
       run_twrench(folder_, "simulate tennis-racket --motion run.csv --times 0,2.5");
   EXPECT_EQ(beyond.code, 2);
   EXPECT_THAT(beyond.err, HasSubstr("2.5 s is not among the 2 s that are recorded"));
+}
+
+/// The verdict is that of a check.
+TEST_F(MotionFile, OfAnotherUnitIsToldSo) {
+  std::ofstream rows(folder_ / "deg.csv");
+  std::istringstream lines(
+      run_twrench(folder_, "simulate tennis-racket --method exact --duration 2 --fps 500").out);
+  std::string line;
+  std::getline(lines, line);
+  rows << "t,wx,wy,wz\n";
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int i = 0; std::getline(cells, cell, ','); ++i) {
+      if (i == 0) rows << cell;
+      if (i >= 10 && i < 13) rows << ',' << std::stod(cell) * 180 / std::numbers::pi;
+    }
+    rows << '\n';
+  }
+  rows.close();
+  const Outcome run = run_twrench(
+      folder_,
+      "render tennis-racket --motion deg.csv --size 160x90 --frames 0 --no-video --frames-dir g");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("it does if the rates are in deg/s: use --units deg\n"));
+  EXPECT_THAT(run.err, HasSubstr("so these are left out: momentum"));
 }
 
 TEST_F(MotionFile, WithGapsMarksThem) {

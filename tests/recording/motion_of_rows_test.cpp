@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What a recording contains.
+/// The quantities of a recording.
 enum class Contents { rates, attitudes, both };
 
 const motion::ExactMotion& tumbling() {

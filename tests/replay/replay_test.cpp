@@ -202,7 +202,7 @@ std::string refusal(scene::Scene scene) {
 }
 
 TEST(ShowRecording, RefusesWhatItCannotShow) {
-  EXPECT_THAT(refusal(scene::load_scene("explain")), HasSubstr("have motions of their own"));
+  EXPECT_THAT(refusal(scene::load_scene("explain")), HasSubstr("have separate motions"));
   scene::Scene scene = with_moments({2, 3, 4.5});
   scene.overlay.compare_omega = {{1, 0, 0}, {0, 1, 0}};
   EXPECT_THAT(refusal(scene), HasSubstr("it has one start"));

@@ -10,6 +10,7 @@
 #include "app/terminal/message.h"
 #include "app/terminal/progress.h"
 #include "app/terminal/timing.h"
+#include "base/argument.h"
 #include "film/render_job.h"
 #include "image/picture_memory.h"
 #include "scene/languages.h"
@@ -62,7 +63,8 @@ void render(const RenderOptions& options) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   progress.summarize(summary_of(settings, job.size(), seconds));
   if (scene.motion.recording && !scene.motion.recording->verdict.empty()) {
-    progress.note(scene.motion.recording->file + ": " + scene.motion.recording->verdict);
+    const scene::ShownRecording& recording = *scene.motion.recording;
+    progress.note(recording.file + ": " + with_arguments(recording.verdict, option_text));
   }
   if (!options.timing.empty()) {
     const bool json = options.timing == "json" || options.progress == "json";

@@ -8,7 +8,7 @@
 
 namespace twrench::app {
 
-/// The options that say how a recording is to be read: one for each field of a convention. Must
+/// The options that determine how a recording is read: one for each field of a convention. Must
 /// live as long as the command.
 class ConventionOptions {
  public:

@@ -23,10 +23,12 @@ void RecordingOptions::add_to(CLI::App& command) {
       ->group(heading(OptionGroup::motion));
   command
       .add_option("--from", from_,
-                  "of a recording: leave out what is earlier, s since its first row")
+                  "of a recording: leave out the rows before this time, s since the first row")
       ->type_name("T")
       ->group(heading(OptionGroup::motion));
-  command.add_option("--to", to_, "of a recording: leave out what is later, s since its first row")
+  command
+      .add_option("--to", to_,
+                  "of a recording: leave out the rows after this time, s since the first row")
       ->type_name("T")
       ->group(heading(OptionGroup::motion));
   convention_.add_to(command);
@@ -38,7 +40,7 @@ void RecordingOptions::require_no_others() const {
                              : !to_.empty() ? "--to"
                                             : convention_.given();
   if (option.empty()) return;
-  throw InvalidArgument(option, "it says how to read a recorded motion, and there is none",
+  throw InvalidArgument(option, "it applies to a recorded motion, and there is none",
                         "give the recording with --motion FILE, or leave the option out");
 }
 

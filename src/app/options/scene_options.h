@@ -63,7 +63,7 @@ class SceneOptions {
   /// Adds only --inertia.
   void add_inertia_option();
 
-  /// Adds --motion and the options that say how a recorded motion is read.
+  /// Adds --motion and the options that determine how a recorded motion is read.
   void add_recording_options() { recording_.add_to(command_); }
 
   /// Adds --length, which determines the duration or the speed.

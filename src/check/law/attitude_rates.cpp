@@ -30,21 +30,6 @@ double largest_speed(std::span<const Quaterniond> attitudes, std::span<const Row
   return speed;
 }
 
-/// The weights with which values at these times, relative to that of the middle one, add up to the
-/// derivative there: those of the polynomial through them, by Lagrange's formula.
-std::array<double, 2 * reach + 1> derivative_weights(
-    const std::array<double, 2 * reach + 1>& times) {
-  std::array<double, 2 * reach + 1> weights{};
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    if (k == reach) continue;  // the value there is zero
-    weights[k] = 1 / times[k];
-    for (std::size_t other = 0; other < times.size(); ++other) {
-      if (other != k && other != reach) weights[k] *= times[other] / (times[other] - times[k]);
-    }
-  }
-  return weights;
-}
-
 /// How many rows apart the error of order 6 about equals that of the attitudes.
 std::size_t stride_for(double error, double turn_per_row) {
   constexpr double least = 0.01, most = 0.5, of_order_6 = 140;  // rad
@@ -68,7 +53,7 @@ RowsWithRates with_rates_of_attitude(std::span<const Row> rows, double error) {
     std::array<double, 2 * reach + 1> times{};
     for (std::size_t k = 0; k < times.size(); ++k)
       times[k] = rows[i - around + k * stride].t - rows[i].t;
-    const auto weights = derivative_weights(times);
+    const std::vector<double> weights = recording::derivative_weights(times);
     Row row = rows[i];
     row.omega.setZero();
     // At the row, the derivative of the rotation vector from its attitude is the rate.
