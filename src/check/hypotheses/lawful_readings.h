@@ -39,7 +39,7 @@ struct Lawful {
   int free_numbers;  ///< of the law
 };
 
-/// What the motion of a free body misses. Throws as judge() does.
+/// Returns the part of the changes that the motion of a free body misses. Throws as judge() does.
 double miss_of_free_body(const recording::Recording& recording, const Problem& problem,
                          const recording::Convention& convention);
 

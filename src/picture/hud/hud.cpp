@@ -32,17 +32,12 @@ class Figures {
   }
 
   Readout time() const {
-    if (!recording_ || !recording_->motion.has_gaps()) {
-      return {phrase({"time", "tid"}), text(longest_),
-              [self = *this](const timeline::FrameState& m) {
-                return self.text(m.solutions[0].sample.t);
-              }};
-    }
-    const std::string gap = phrase({" (no data)", " (ingen data)"});
+    const bool has_gaps = recording_ && recording_->motion.has_gaps();
+    const std::string gap = has_gaps ? phrase({" (no data)", " (ingen data)"}) : "";
     return {phrase({"time", "tid"}), text(longest_) + gap,
-            [gap, self = *this](const timeline::FrameState& m) {
+            [gap, has_gaps, self = *this](const timeline::FrameState& m) {
               const double t = m.solutions[0].sample.t;
-              return self.text(t) + (self.recording_->motion.is_in_gap(t) ? gap : "");
+              return self.text(t) + (has_gaps && self.recording_->motion.is_in_gap(t) ? gap : "");
             }};
   }
   Readout energy_drift(std::size_t solution) const {
