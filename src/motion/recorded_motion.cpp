@@ -31,10 +31,7 @@ RecordedMotion::RecordedMotion(std::vector<Instant> instants, double longest_ste
     throw InvalidArgument("instants", "fewer than two, which are no motion");
   }
   const double start = instants_.front().t;
-  for (Instant& instant : instants_) {
-    instant.t -= start;
-    fastest_rate_ = std::max(fastest_rate_, instant.omega.norm());
-  }
+  for (Instant& instant : instants_) instant.t -= start;
 }
 
 std::size_t RecordedMotion::before(double t) const {

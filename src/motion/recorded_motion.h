@@ -32,9 +32,6 @@ class RecordedMotion {
   /// The time of the last instant in s.
   double duration() const { return instants_.back().t; }
 
-  /// The largest |omega| of the instants, rad/s.
-  double fastest_rate() const { return fastest_rate_; }
-
   const std::vector<Instant>& instants() const { return instants_; }
 
   /// Returns the state at t in s: before the first instant and after the last one, that of the
@@ -71,7 +68,7 @@ class RecordedMotion {
   bool is_gap_after(std::size_t instant) const;
 
   std::vector<Instant> instants_;
-  double longest_step_, fastest_rate_ = 0;
+  double longest_step_;
 };
 
 }  // namespace twrench::motion
