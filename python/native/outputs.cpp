@@ -95,17 +95,21 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
                   const Texts& source_options, const std::string& template_file, bool has_article,
                   const std::atomic<bool>& stop) {
   const std::string empty = page::page_template(template_file);
-  page::require_shown(scene);
-  const page::PageScene shown{scene, original, source, source_options, has_article};
+  Texts recording_options;
+  if (scene.motion.recording) recording_options = {"--motion", scene.motion.recording->file};
+  const page::PageScene shown{scene,          original,          source,
+                              source_options, recording_options, has_article};
   film::PagePictures pictures;
   Texts notes;
-  try {
-    pictures = film::page_pictures(scene, has_article, {});
-  } catch (const gl::GlError& error) {
-    notes.push_back(fmt::format("the page has no fallback pictures: {}", error.what()));
-  }
-  if (stop) throw Stopped{};
-  page::PageDocument page = page::page_html(empty, shown, pictures.poster + pictures.stills);
+  page::PageDocument page = page::page_html(empty, shown, [&] {
+    try {
+      pictures = film::page_pictures(scene, has_article, {});
+    } catch (const gl::GlError& error) {
+      notes.push_back(fmt::format("the page has no fallback pictures: {}", error.what()));
+    }
+    if (stop) throw Stopped{};
+    return pictures.poster + pictures.stills;
+  });
   page.notes.insert(page.notes.end(), notes.begin(), notes.end());
   return {std::move(page), std::move(pictures.poster), page::content_policy(empty),
           scene::motion_summary(scene)};
@@ -252,17 +256,19 @@ Texts export_motion(const Scene& scene, const Output& to, double max_angle,
   });
 }
 
-plot::AttitudeCurve curve_of(const Scene& scene) {
+std::vector<plot::AttitudeCurve> curves_of(const Scene& scene) {
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     Scene drawn = scene;
     drawn.motion.control.stop = &stop;
-    return report::attitude_curve(drawn);
+    return report::shown_curves(drawn);
   });
 }
 
 plot::Plot plot_of(const std::vector<Scene>& scenes, bool overlay) {
   std::vector<plot::AttitudeCurve> curves;
-  for (const Scene& scene : scenes) curves.push_back(curve_of(scene));
+  for (const Scene& scene : scenes) {
+    for (plot::AttitudeCurve& curve : curves_of(scene)) curves.push_back(std::move(curve));
+  }
   return overlay ? plot::column_panels(curves) : plot::nine_panels(curves);
 }
 
@@ -279,8 +285,7 @@ std::string plot_svg(const Scene& scene, bool overlay) {
 }
 
 /// Times (n), attitudes (n, 3, 3) and the times of flips (m).
-py::tuple attitude_curve(const Scene& scene) {
-  const plot::AttitudeCurve curve = curve_of(scene);
+py::tuple numbers_of(const plot::AttitudeCurve& curve) {
   const auto n = static_cast<py::ssize_t>(curve.samples.size());
   Array t(n), X({n, py::ssize_t{3}, py::ssize_t{3}});
   for (py::ssize_t i = 0; i < n; ++i) {
@@ -294,6 +299,13 @@ py::tuple attitude_curve(const Scene& scene) {
   }
   return py::make_tuple(t, X,
                         Array(static_cast<py::ssize_t>(curve.flips.size()), curve.flips.data()));
+}
+
+/// The motion of a scene, or the recorded motion and the exact one.
+py::list attitude_curves(const Scene& scene) {
+  py::list curves;
+  for (const plot::AttitudeCurve& curve : curves_of(scene)) curves.append(numbers_of(curve));
+  return curves;
 }
 
 void write_samples(const Output& to, const motion::FreeBody& body, const Array& times,
@@ -349,7 +361,7 @@ void add_outputs(py::module_& module) {
   module.def("export_motion", &export_motion);
   module.def("draw_plot", &draw_plot);
   module.def("plot_svg", &plot_svg);
-  module.def("attitude_curve", &attitude_curve);
+  module.def("attitude_curves", &attitude_curves);
   module.def("write_samples", &write_samples);
   module.def("write_output", [](const Output& output, const std::string& bytes) {
     system::write_output(output.file, bytes);

@@ -100,14 +100,15 @@ def components(axes: Any, motion: Motion, *, theme: ThemeName = "paper") -> None
     draw_components(panels, motion.t, motion.X, _arguments.text("theme", theme))
 
 
-def draw_components(panels: Any, t: Array, X: Array, theme: str) -> None:
-    """The same for times (n,) and attitudes (n, 3, 3)."""
+def draw_components(panels: Any, t: Array, X: Array, theme: str, *, dashed: bool = False) -> None:
+    """The same for times (n,) and attitudes (n, 3, 3). Dashed lines have no names."""
     colors = _native.theme_colors(theme)["components"]
     for i in range(3):
         for j in range(3):
             panel = panels[i, j] if panels.ndim == 2 else panels[j]
-            label = f"x{i + 1}{j + 1}"
-            panel.plot(t, X[:, i, j], color=colors[3 * i + j], linewidth=1, label=label)
+            label = None if dashed else f"x{i + 1}{j + 1}"
+            line = "--" if dashed else "-"
+            panel.plot(t, X[:, i, j], line, color=colors[3 * i + j], linewidth=1, label=label)
             panel.legend(loc="upper right", fontsize="small")
     for panel in panels.reshape(-1, 3)[-1]:
         panel.set_xlabel("t [s]")

@@ -589,9 +589,7 @@ class Scene:
         """
         try:
             html = self._page("", has_article=False).html
-        except UsageError:  # It has shots, an attitude or a recording, which pages do not support.
-            return None
-        except FileError:  # This build has no page.
+        except (UsageError, FileError):  # No page can show the recording, or this build has none.
             return None
         text = html.replace("&", "&amp;").replace('"', "&quot;")
         if len(text) > _LARGEST_PAGE:
@@ -600,7 +598,6 @@ class Scene:
         return f'<iframe sandbox="allow-scripts" allow="clipboard-write" style="{style}" srcdoc="{text}"></iframe>'
 
     def _page(self, template: str, *, has_article: bool) -> _native.Page:
-        self._require_computed("a page")
         words = _mesh_words(self._of_mesh)
         page = _native.page(
             self._snapshot(), self._original, self._source, words, template, has_article
@@ -709,6 +706,8 @@ class Scene:
     ) -> Any:
         """Plots the nine components of X against time, with the flips marked.
 
+        A recorded motion is plotted with the exact one, which is dashed in a Matplotlib figure.
+
         :param path: a file for gnuplot to draw, .svg, .pdf or .png, as in ``twrench plot``; or None.
         :param overlay: one panel per column of X instead of one per component.
         :param overwrite: replace an existing file that twrench did not write, or that is of another kind.
@@ -719,7 +718,6 @@ class Scene:
         :raises OverwriteError: if another file would be replaced.
         :raises Error: if gnuplot is needed, but is missing or fails.
         """
-        self._require_computed("a plot")
         if path is not None:
             output = self._output("plot", path, overwrite)
             _native.draw_plot([self._snapshot()], output, bool(overlay))
@@ -899,13 +897,14 @@ def _mesh_words(of_mesh: dict[str, Any]) -> list[str]:
 
 def _matplotlib_figure(make: Any, scene: Scene, overlay: bool) -> Any:
     """The plot as a figure without a window."""
-    t, X, flips = _native.attitude_curve(scene._snapshot())
+    curves = _native.attitude_curves(scene._snapshot())  # a recorded motion, then the exact one
     figure = make(figsize=(10, 3 if overlay else 7), layout="constrained")
     figure.suptitle(scene.title or scene.name)
     axes = figure.subplots(1 if overlay else 3, 3, sharex=True, sharey=True, squeeze=False)
-    plots.draw_components(axes[0] if overlay else axes, t, X, "paper")
+    for i, (t, X, _) in enumerate(curves):
+        plots.draw_components(axes[0] if overlay else axes, t, X, "paper", dashed=i > 0)
     for panel in axes.flat:
-        for flip in flips:
+        for flip in curves[0][2]:
             panel.axvline(flip, color="0.6", linewidth=0.6, linestyle="--")
     return figure
 

@@ -42,14 +42,14 @@ core_sources() {
   printf 'src/%s.cpp\n' base/{color,error,letters,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
     body/triangle_mesh \
     motion/{diagnostics,energy_contours,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
-    motion/{reference_motion,series_steps,stability,stepper,taylor,trajectory} study/{flip_search,reference} \
+    motion/{recorded_motion,reference_motion,series_steps,stability,stepper,taylor,trajectory} study/{flip_search,reference} \
     scene/{limits,prediction,reference_frame,scene,speed_curve} timeline/{camera_move,frame_change,tilting_torque,timeline,tip_forces} \
     picture/space/camera picture/body/{body_model,body_uniforms,bounding_radius,floor_plane,half_turn,intersections,mark,mesh,shadow_balls} \
     picture/look/{emphasis,force_style,material,sky,studio,theme} \
     picture/compose/{camera_path,label} \
     picture/overlay/{axis_tip,body_overlay,draw_list,draw_list_arrow,draw_list_line,fixed_stars,force_arrows,torque_arcs,track,trail_point}
   printf '%s\n' src/body/shapes/*.cpp src/picture/shapes/*.cpp src/picture/views/*.cpp
-  printf 'web/core/%s.cpp\n' bindings integrated_motion page_views pictures platform recorded_run surfaces
+  printf 'web/core/%s.cpp\n' bindings integrated_motion page_views pictures platform method_run surfaces
 }
 
 # Whether build/page/core.wasm is newer than all of its sources.

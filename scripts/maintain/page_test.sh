@@ -13,11 +13,11 @@ export TWRENCH=$PWD/build/release/bin/twrench REFERENCE=$PWD/tests/reference/tra
 CORE=$PWD/build/page/core.wasm WEB=$PWD/web RANDOM_VIEWS=$PWD/build/release/bin/random_views \
   node tests/page/views_test.mjs
 cp tests/page/*.mjs build/page/npm
-for part in page controls interior article; do node "build/page/npm/${part}_test.mjs" "$@"; done
+for part in page controls interior article recording; do node "build/page/npm/${part}_test.mjs" "$@"; done
 if command -v firefox-esr >/dev/null && command -v xvfb-run >/dev/null; then
   say "the same in Firefox"
   export BROWSER=firefox
-  for part in page controls interior article; do
+  for part in page controls interior article recording; do
     xvfb-run --auto-servernum --server-args='-screen 0 1280x900x24' node "build/page/npm/${part}_test.mjs" "$@"
   done
 else

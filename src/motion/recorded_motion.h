@@ -54,15 +54,29 @@ class RecordedMotion {
   /// Whether nothing is known at t in s.
   bool is_in_gap(double t) const;
 
+  /// Returns the motion through some of the instants, as few as a greedy search finds, among them
+  /// both ends of each gap. At the others its attitude differs by at most `angle` rad.
+  RecordedMotion thinned(double angle) const;
+
+  /// The greatest time in s between two instants between which the motion is known.
+  double longest_step() const { return longest_step_; }
+
  private:
   /// The motion from one instant to the next: u = s (linear + s (square + s cube)) with s from 0 to
   /// 1.
   struct Piece {
+    Sample at(double t) const;
+
     Eigen::Matrix3d start;
+    double begin;  ///< s
     Eigen::Vector3d linear, square, cube;
     double length;  ///< s
   };
-  Piece piece_after(std::size_t instant) const;
+  Piece piece_between(std::size_t begin, std::size_t end) const;
+  /// Returns whether the piece between two instants meets the attitudes between them.
+  bool can_skip(std::size_t begin, std::size_t end, double angle) const;
+  /// Returns the last instant up to `limit` before which all can be skipped.
+  std::size_t farthest(std::size_t begin, std::size_t limit, double angle) const;
   /// Returns the last instant that is not after t, but not the last of all.
   std::size_t before(double t) const;
   bool is_gap_after(std::size_t instant) const;

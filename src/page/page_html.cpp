@@ -13,6 +13,7 @@
 #include "base/enumeration.h"
 #include "embedded/page.h"
 #include "page/page_json.h"
+#include "page/recording_json.h"
 #include "page/template_filling.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
@@ -25,8 +26,9 @@ namespace {
 
 /// Escapes the data, so that no part of it looks like the end of the script. From the source and
 /// its scene, the page composes a command line for what it shows.
-std::string scene_html(const PageScene& scene, const Surface& surface) {
-  nlohmann::ordered_json json = page_json(scene.shown, surface);
+std::string scene_html(const PageScene& scene, const Surface& surface,
+                       const motion::RecordedMotion* recording) {
+  nlohmann::ordered_json json = page_json(scene.shown, surface, recording);
   json["program"] = "twrench " TWRENCH_VERSION;
   json["article"] = scene.has_article;
   const scene::Language language = scene.language.value_or(scene.shown.language);
@@ -35,6 +37,7 @@ std::string scene_html(const PageScene& scene, const Surface& surface) {
   // A built-in story has a name for each language.
   json["source"] = scene::is_scene_file(scene.source) ? scene.source : scene.original.name;
   json["source_options"] = scene.source_options;
+  if (recording != nullptr) json["recording"]["options"] = scene.recording_options;
   json["source_scene"] = scene::scene_json(scene.original);
   std::string data;
   for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
@@ -82,6 +85,18 @@ void suit_flips(scene::Scene& scene) {
   }
 }
 
+/// What the page plays of a recorded motion, beside the exact motion.
+std::optional<PageRecording> recording_of(const scene::Scene& scene) {
+  if (!scene.motion.recording) return std::nullopt;
+  const scene::ShownRecording& recording = *scene.motion.recording;
+  if (!recording.has_body) {
+    throw InvalidArgument(recording.file,
+                          "a page shows the exact motion beside it, and the body is not given",
+                          "name a scene or a mesh, or give its inertia");
+  }
+  return page_recording(recording);
+}
+
 constexpr const char* no_page = "this build does not include the page";
 constexpr const char* remedy_for_no_page = "run scripts/maintain/page.sh, which adds it";
 
@@ -113,30 +128,23 @@ scene::Scene shown_scene(scene::Scene scene) {
   const std::vector<Eigen::Vector3d>& wheels = scene.overlay.compare_wheel;
   if (!scene.motion.wheel && !wheels.empty()) scene.motion.wheel = wheels.back();
   set_times_without_shots(scene);
-  suit_flips(scene);
+  if (!scene.motion.recording) suit_flips(scene);
   return scene;
 }
 
-void require_shown(const scene::Scene& scene) {
-  const auto begins_turned = [](const scene::Shot& shot) {
-    return shot.scene.motion.attitude.has_value();
-  };
-  if (!scene.motion.attitude && std::ranges::none_of(scene.shots, begins_turned)) return;
-  throw InvalidArgument("attitude", "a page begins with X(0) = Id",
-                        "leave it out; for a report, use " + argument("static"));
-}
-
 PageDocument page_html(const std::string& page_template, const PageScene& scene,
-                       const std::string& pictures) {
-  require_shown(scene.shown);
+                       const std::function<std::string()>& draw_pictures) {
+  const std::optional<PageRecording> recording = recording_of(scene.shown);
   const Surface surface = surface_of(scene.shown.body);
   const std::string title = text::escape_xml(scene.shown.shown_title());
   TemplateFilling page(page_template);
   page.put("{{title}}", title);
   page.put("{{title}}", title);
-  page.put("<!-- twrench:poster -->", pictures);
-  page.put("<!-- twrench:scene -->", scene_html(scene, surface));
+  const std::string data = scene_html(scene, surface, recording ? &recording->motion : nullptr);
+  page.put("<!-- twrench:poster -->", draw_pictures());
+  page.put("<!-- twrench:scene -->", data);
   PageDocument document{std::move(page).filled(), {}};
+  if (recording && !recording->note.empty()) document.notes.push_back(recording->note);
   if (const auto& simplified = surface.simplification) {
     document.notes.push_back(
         fmt::format("the page draws {} of {} triangles; mass properties use all of them",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct PageScene {
   std::string source;
   /// The options that follow the source in a command line, if it is a mesh.
   std::vector<std::string> source_options;
+  /// The options by which a command line shows the recorded motion of the scene, if it has one.
+  std::vector<std::string> recording_options;
   /// Whether the article, which explains the motion, is above the lab.
   bool has_article = false;
   /// The language of the page; nothing for the scene's or, if that is English, the reader's.
@@ -46,15 +49,12 @@ struct PageDocument {
 /// takes seconds.
 scene::Scene shown_scene(scene::Scene scene);
 
-/// Throws InvalidArgument if a page would compute a different motion. page_html() does the same,
-/// but needs the pictures, which take long to draw.
-void require_shown(const scene::Scene& scene);
-
-/// Returns the page of a scene. `pictures` are <img> elements: the poster and the stills, or
-/// nothing. Throws FileError if the
-/// template lacks a mark, and InvalidArgument for a scene that a page cannot show.
+/// Returns the page of a scene. `draw_pictures` returns <img> elements: the poster and the stills,
+/// or nothing. It is called when nothing else can fail, because drawing takes long. Throws
+/// FileError if the template lacks a mark, and InvalidArgument about a recorded motion that a page
+/// cannot show.
 PageDocument page_html(const std::string& page_template, const PageScene& scene,
-                       const std::string& pictures);
+                       const std::function<std::string()>& draw_pictures);
 
 /// Returns the <meta> element of a page's content security policy; empty if the page has none.
 std::string content_policy(const std::string& page_template);

@@ -5,6 +5,7 @@
 
 #include "base/enumeration.h"
 #include "base/time_unit.h"
+#include "page/recording_json.h"
 #include "page/surface_json.h"
 #include "page/theme_json.h"
 #include "scene/interior.h"
@@ -36,6 +37,14 @@ ordered_json names_json(std::span<const scene::Feature> features) {
   return names;
 }
 
+ordered_json rows_json(const Eigen::Matrix3d& matrix) {
+  ordered_json numbers = ordered_json::array();
+  for (const auto row : matrix.rowwise()) {
+    for (const double value : row) numbers.push_back(value);
+  }
+  return numbers;
+}
+
 /// The units of time, the longest first, each with the shortest time that is written in it, its
 /// length in s and its symbol.
 ordered_json time_units_json() {
@@ -46,23 +55,25 @@ ordered_json time_units_json() {
 
 }  // namespace
 
-ordered_json page_json(const scene::Scene& scene, const Surface& surface) {
-  const body::MassProperties properties = scene::mass_properties(scene.body);
-  ordered_json inertia = ordered_json::array();
-  for (const auto row : properties.inertia.rowwise()) {
-    for (const double value : row) inertia.push_back(value);
-  }
+ordered_json page_json(const scene::Scene& scene, const Surface& surface,
+                       const motion::RecordedMotion* recording) {
   const Materials materials = materials_of(scene.body);
   scene::Scene alone = scene;
   alone.shots.clear();
-  return {{"scene", scene::scene_json(alone)},
-          {"inertia", std::move(inertia)},
-          {"surface", surface_json(scene, surface, materials)},
-          {"themes", themes_json(scene.look, materials)},
-          {"limits", limits_json()},
-          {"rigid_features", names_json(scene::features_of_rigid_bodies)},
-          {"lossless_features", names_json(scene::features_of_lossless_bodies)},
-          {"time_units", time_units_json()}};
+  const motion::FreeBody body = scene::free_body(scene);
+  ordered_json json{{"scene", scene::scene_json(alone)},
+                    {"inertia", rows_json(body.inertia())},
+                    {"attitude", rows_json(body.attitude())},
+                    {"surface", surface_json(scene, surface, materials)},
+                    {"themes", themes_json(scene.look, materials)},
+                    {"limits", limits_json()},
+                    {"rigid_features", names_json(scene::features_of_rigid_bodies)},
+                    {"lossless_features", names_json(scene::features_of_lossless_bodies)},
+                    {"time_units", time_units_json()}};
+  if (recording != nullptr) {
+    json["recording"] = recording_json(*scene.motion.recording, *recording);
+  }
+  return json;
 }
 
 }  // namespace twrench::page

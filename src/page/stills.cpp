@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "picture/look/theme.h"
 #include "scene/interior.h"
 #include "scene/natural_times.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::page {
 namespace {
@@ -40,6 +42,7 @@ Scene plain(const Scene& shown, int panes) {
   scene.look.samples = 4;
   scene.camera.orbit = 0;
   scene.camera.frame = scene::Frame::space;
+  scene.motion.recording = nullptr;
   scene.overlay = {};
   scene.overlay.show.clear();
   scene.overlay.trail_point = shown.overlay.trail_point;
@@ -76,6 +79,8 @@ Scene with_box(Scene scene) {
 struct Start {
   Vector3d omega;
   std::optional<Vector3d> wheel = {};
+  std::optional<Eigen::Quaterniond> attitude = {};
+  std::shared_ptr<const scene::ShownRecording> recording = nullptr;
 };
 
 std::vector<Start> starts_of(const json& figure, const FigureStart& start) {
@@ -97,6 +102,15 @@ std::vector<Start> starts_of(const json& figure, const FigureStart& start) {
   return starts;
 }
 
+/// The motion of the scene, after the recorded one if they are compared.
+std::vector<Start> starts_of_scene(const json& figure, const scene::Motion& motion) {
+  const Start computed{motion.omega, motion.wheel, motion.attitude};
+  if (!figure.contains("compare")) return {computed};
+  Start recorded = computed;
+  recorded.recording = motion.recording;
+  return {recorded, computed};
+}
+
 /// The scene of the body view of a figure, without its motion.
 Scene figure_scene(const json& figure, const Scene& shown, int panes) {
   Scene scene = plain(shown, panes);
@@ -113,7 +127,12 @@ Scene moved(Scene scene, const Start& start) {
   scene.motion.omega = start.omega;
   scene.motion.wheel = start.wheel;
   scene.motion.energy_loss_time.reset();
+  scene.motion.attitude = start.attitude;
   set_framed_times(scene);
+  scene.motion.recording = start.recording;
+  if (start.recording) {
+    scene.motion.duration = std::min(scene.motion.duration, start.recording->motion.duration());
+  }
   return scene;
 }
 
@@ -130,9 +149,7 @@ void add_figure(const json& section, const Scene& shown, const FigureStart& star
   const json& figure = section.at("figure");
   const std::string name = "part-" + section.at("id").get<std::string>();
   const std::vector<Start> starts =
-      section.value("ofReplaced", false)
-          ? std::vector<Start>{{shown.motion.omega, shown.motion.wheel}}
-          : starts_of(figure, start);
+      section.contains("when") ? starts_of_scene(figure, shown.motion) : starts_of(figure, start);
   const bool has_sphere = figure.value("sphere", false);
   const Scene scene =
       figure_scene(figure, shown, static_cast<int>(starts.size()) + (has_sphere ? 1 : 0));
@@ -147,9 +164,10 @@ void add_article(const Scene& shown, std::vector<Still>& stills) {
   const Scene with_figures_body = is_replaced ? with_box(shown) : shown;
   const FigureStart start = is_replaced ? own.of_body(*with_figures_body.body.inertia) : own;
   for (const json& section : json::parse(embedded::article().at("article.json"))) {
-    if (!section.value("ofReplaced", false)) {
+    const std::string when = section.value("when", "");
+    if (when.empty()) {
       add_figure(section, with_figures_body, start, stills);
-    } else if (is_replaced) {
+    } else if (when == "replaced" ? is_replaced : shown.motion.recording != nullptr) {
       add_figure(section, shown, own, stills);
     }
   }

@@ -59,9 +59,13 @@ std::string key_of(const Plot& plot, const std::string& entries) {
   return key_plot(entries, 6, 1.0 - 24.0 / plot.height);
 }
 
-std::string line_key(std::string_view color, const std::string& title) {
-  return fmt::format(", keyentry with lines lw 1.6 lc rgb '{}' title {} noenhanced", color,
-                     gnuplot_string(title));
+/// The style of the line of a curve.
+std::string line(std::string_view color, bool is_dashed = false) {
+  return fmt::format("lines {}lw 1.6 lc rgb '{}'", is_dashed ? "dt (10,10) " : "", color);
+}
+
+std::string line_key(const std::string& line, const std::string& title) {
+  return fmt::format(", keyentry with {} title {} noenhanced", line, gnuplot_string(title));
 }
 
 std::string flip_key(std::string_view color, const std::string& title) {
@@ -82,11 +86,11 @@ std::string outer_axes(int column, bool last_row, const TimeUnit& unit, scene::L
 }
 
 /// Plots one component of X, `column` of the data, for all curves.
-std::string plot_component(std::size_t curves, int column) {
+std::string plot_component(std::span<const AttitudeCurve> curves, int column) {
   std::string plot;
-  for (std::size_t c = 0; c < curves; ++c) {
-    plot += fmt::format("{}$c{} using 1:{} with lines lw 1.6 lc rgb '{}' notitle",
-                        c == 0 ? "plot " : ", ", c, column, color_of(c));
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    plot += fmt::format("{}$c{} using 1:{} with {} notitle", c == 0 ? "plot " : ", ", c, column,
+                        line(color_of(c), curves[c].is_dashed));
   }
   return plot + "\n";
 }
@@ -95,9 +99,8 @@ std::string plot_component(std::size_t curves, int column) {
 std::string plot_column(std::size_t curve, int column) {
   std::string plot;
   for (std::size_t row = 0; row < 3; ++row) {
-    plot += fmt::format("{}$c{} using 1:{} with lines lw 1.6 lc rgb '{}' notitle",
-                        row == 0 ? "plot " : ", ", curve, 2 + 3 * static_cast<int>(row) + column,
-                        palette[row]);
+    plot += fmt::format("{}$c{} using 1:{} with {} notitle", row == 0 ? "plot " : ", ", curve,
+                        2 + 3 * static_cast<int>(row) + column, line(palette[row]));
   }
   return plot + "\n";
 }
@@ -117,7 +120,7 @@ Plot nine_panels(std::span<const AttitudeCurve> curves, scene::Language language
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::string_view flip_color = single ? single_flip_color : color_of(c);
     script += flip_lines(curves[c], unit, flip_color);
-    keys += line_key(color_of(c), curves[c].title);
+    keys += line_key(line(color_of(c), curves[c].is_dashed), curves[c].title);
     if (!curves[c].flips.empty()) {
       keys += flip_key(flip_color, single ? scene::Phrase("flips", "vendinger").in(language)
                                           : "flips of " + curves[c].title);
@@ -127,7 +130,7 @@ Plot nine_panels(std::span<const AttitudeCurve> curves, scene::Language language
     const int row = i / 3, column = i % 3;
     script += grid(plot, 3).place(row, column) + outer_axes(column, row == 2, unit, language);
     script += fmt::format("set title 'x_{{{}{}}}' offset 0, -0.7\n", row + 1, column + 1);
-    script += plot_component(curves.size(), 2 + i);
+    script += plot_component(curves, 2 + i);
   }
   script += key_of(plot, keys) + "unset multiplot\n";
   return plot;
@@ -161,7 +164,7 @@ Plot column_panels(std::span<const AttitudeCurve> curves) {
   }
   std::string keys;
   for (std::size_t i = 0; i < 3; ++i)
-    keys += line_key(palette[i], fmt::format("{} in space", "xyz"[i]));
+    keys += line_key(line(palette[i]), fmt::format("{} in space", "xyz"[i]));
   script += key_of(plot, flips ? keys + flip_key(single_flip_color, "flips") : keys);
   script += "unset multiplot\n";
   return plot;

@@ -19,6 +19,8 @@ struct AttitudeCurve {
   std::vector<motion::Sample> samples;
   /// Times of the flips to mark, in s.
   std::vector<double> flips;
+  /// Whether the line is dashed, so that one beneath it can be seen.
+  bool is_dashed = false;
 };
 
 /// Returns the nine components of X against time, one panel each, with one colour per curve. There

@@ -3,13 +3,20 @@
 #include <twrench/motion/exact.h>
 #include <twrench/motion/trajectory.h>
 
+#include "motion/reference_motion.h"
 #include "report/solution.h"
+#include "scene/shown_recording.h"
 #include "study/reference.h"
 
 namespace twrench::report {
 
+namespace {
+
+constexpr double most_times = 20'000;
+
+}  // namespace
+
 plot::AttitudeCurve attitude_curve(const scene::Scene& scene) {
-  constexpr double most_times = 20'000;
   const motion::FreeBody body = scene::free_body(scene);
   const motion::Method& method = motion::find_method(scene.motion.method);
   plot::AttitudeCurve curve;
@@ -23,6 +30,23 @@ plot::AttitudeCurve attitude_curve(const scene::Scene& scene) {
     curve.flips = study::reference_flip_times(body, scene.motion.duration);
   }
   return curve;
+}
+
+std::vector<plot::AttitudeCurve> shown_curves(const scene::Scene& scene) {
+  const auto& recording = scene.motion.recording;
+  if (!recording) return {attitude_curve(scene)};
+  std::vector<plot::AttitudeCurve> curves{
+      {scene.shown_title(), recording->motion.samples_at(plot_times(scene.motion, most_times)),
+       recording->flip_times}};
+  if (!recording->has_body) return curves;
+  scene::Scene exact = scene;
+  const motion::Method& method = motion::reference_method(scene::free_body(scene));
+  exact.motion.method = method.name;
+  exact.motion.control = motion::reference_control(scene.motion.control.stop);
+  exact.title = method.name;
+  curves.push_back(attitude_curve(exact));
+  curves.back().is_dashed = true;
+  return curves;
 }
 
 }  // namespace twrench::report

@@ -98,16 +98,6 @@ TEST(Attitude, IsAMotionThatACheckFollows) {
   EXPECT_EQ(run_twrench(folder, "check run.csv --scene s.toml").code, 0);
 }
 
-TEST(Attitude, IsRefusedByAPageInOneLine) {
-  const ScratchFolder folder;
-  std::ofstream(folder / "t.html")
-      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
-  const Outcome run = run_twrench(folder, "page --template t.html -o a.html --attitude " + tilted);
-  EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("attitude: a page begins with X(0) = Id"));
-  EXPECT_FALSE(exists(folder / "a.html"));
-}
-
 TEST(Attitude, MustBeAQuaternion) {
   const ScratchFolder folder;
   for (const auto& [value, message] :

@@ -85,6 +85,39 @@ TEST_F(MotionFile, IsConverted) {
   EXPECT_THAT(beyond.err, HasSubstr("2.5 s is not among the 2 s that are recorded"));
 }
 
+TEST_F(MotionFile, IsPlottedWithTheExactMotion) {
+  const Outcome run = run_twrench(folder_, "plot tennis-racket --motion run.csv -o a.svg");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = text_of(folder_ / "a.svg");
+  EXPECT_THAT(svg, HasSubstr(">run.csv<"));
+  EXPECT_THAT(svg, HasSubstr(">exact<"));
+  const Outcome alone = run_twrench(folder_, "plot --motion run.csv -o b.svg");
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  EXPECT_THAT(text_of(folder_ / "b.svg"), testing::Not(HasSubstr(">exact<")));
+}
+
+TEST_F(MotionFile, IsPlayedByAPageBesideTheExactMotion) {
+  std::ofstream(folder_ / "t.html")
+      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
+  const std::string page = "page --template t.html --lab -o a.html --motion run.csv --from 0.5 ";
+  const Outcome run = run_twrench(folder_, page + "tennis-racket --inverse --overwrite");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string html = text_of(folder_ / "a.html");
+  const std::size_t begin = html.find("id=\"scene\">") + 11;
+  const auto data = nlohmann::json::parse(html.substr(begin, html.find("</script>") - begin));
+  EXPECT_EQ(data["recording"]["file"], "run.csv");
+  EXPECT_DOUBLE_EQ(data["recording"]["duration"], 1.5);
+  EXPECT_EQ(data["recording"]["options"],
+            nlohmann::json({"--motion", "run.csv", "--from", "0.5", "--inverse"}));
+  EXPECT_NE(data["attitude"], nlohmann::json({1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_LE(data["scene"]["motion"]["duration"], 1.5);
+  const Outcome unknown = run_twrench(folder_, "page --template t.html -o b.html --motion run.csv");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("run.csv: a page shows the exact motion beside it, and the "
+                                     "body is not given"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b.html"));
+}
+
 /// The verdict is that of a check.
 TEST_F(MotionFile, OfAnotherUnitIsToldSo) {
   std::ofstream rows(folder_ / "deg.csv");

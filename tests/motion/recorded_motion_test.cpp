@@ -106,6 +106,40 @@ TEST(RecordedMotion, BoundsRatesAndAccelerations) {
   }
 }
 
+TEST(RecordedMotion, IsThinnedWithinAnAngle) {
+  for (const auto& [moments, omega] : bodies_of_every_kind()) {
+    const ExactMotion motion(FreeBody(moments.asDiagonal(), omega));
+    const RecordedMotion all = recorded(motion, 0.01 / std::max(omega.norm(), 1e-3), 500);
+    for (const double angle : {1e-8, 1e-4}) {
+      const RecordedMotion few = all.thinned(angle);
+      EXPECT_LT(few.instants().size(), 250U) << moments << omega;
+      EXPECT_FALSE(few.has_gaps());
+      EXPECT_EQ(few.duration(), all.duration());
+      for (const RecordedMotion::Instant& instant : all.instants()) {
+        const Eigen::Matrix3d X = Eigen::Quaterniond(instant.X).toRotationMatrix();
+        EXPECT_LE(so3::log(X.transpose() * few.at(instant.t).X).norm(), angle + 1e-15);
+      }
+    }
+  }
+}
+
+TEST(RecordedMotion, KeepsItsGapsWhenThinned) {
+  const ExactMotion motion(FreeBody(Vector3d(2, 3, 4.5).asDiagonal(), Vector3d(0.05, 2, 0.03)));
+  std::vector<RecordedMotion::Instant> instants;
+  for (int i = 0; i <= 400; ++i) {
+    const bool is_lost = (i > 100 && i < 112) || (i > 300 && i < 350);
+    const Sample sample = motion.at(0.01 * i);
+    if (!is_lost) instants.push_back({sample.t, sample.quaternion(), sample.omega});
+  }
+  const RecordedMotion all(std::move(instants), 0.04), few = all.thinned(1e-3);
+  EXPECT_LT(few.instants().size(), all.instants().size() / 2);
+  for (int i = 0; i < 4000; ++i) {
+    const double t = (i + 0.5) * 1e-3;
+    EXPECT_EQ(few.is_in_gap(t), all.is_in_gap(t)) << t;
+    EXPECT_LE(so3::log(all.at(t).X.transpose() * few.at(t).X).norm(), 1e-3);
+  }
+}
+
 TEST(RecordedMotion, RefusesASingleInstant) {
   EXPECT_THROW(RecordedMotion({{0, Eigen::Quaterniond::Identity(), Vector3d::Zero()}}, 1),
                InvalidArgument);

@@ -1,9 +1,13 @@
 #include "page/page_json.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <twrench/base/error.h>
 #include <zlib.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -11,11 +15,13 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/enumeration.h"
 #include "page/packing.h"
+#include "page/recording_json.h"
 #include "picture/body/meshes.h"
 #include "picture/look/theme.h"
 #include "sanitizers.h"
@@ -85,6 +91,65 @@ TEST(PageJson, PacksIntegersOfAnySize) {
   const std::vector<std::uint32_t> wide{70'000, 0, 4'294'967'295, 1};
   EXPECT_EQ(unpacked<std::uint32_t>(packed(wide, 1), 1), wide);
   EXPECT_EQ(unpacked<std::uint32_t>(packed(std::vector<std::uint32_t>(), 1), 1).size(), 0U);
+}
+
+/// The attitudes of a body that turns by a tenth of a radian in each step, and wobbles.
+scene::ShownRecording recording_of(std::size_t rows) {
+  std::vector<motion::RecordedMotion::Instant> instants;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = 0.02 * double(i), angle = 5 * t;
+    const Eigen::Quaterniond X(Eigen::AngleAxisd(angle, Vector3d::UnitY()) *
+                               Eigen::AngleAxisd(0.1, Vector3d::UnitX()));
+    instants.push_back({t, X, Eigen::AngleAxisd(-0.1, Vector3d::UnitX()) * Vector3d(0, 5, 0)});
+  }
+  return {.file = "logs/toss.csv",
+          .path = {},
+          .motion = {std::move(instants), 0.08},
+          .flip_times = {0.5},
+          .sha256 = {}};
+}
+
+TEST(PageJson, ContainsEveryRowOfARecording) {
+  const scene::ShownRecording recording = recording_of(300);
+  const PageRecording shown = page_recording(recording);
+  EXPECT_EQ(shown.note, "");
+  const ordered_json json = recording_json(recording, shown.motion);
+  EXPECT_EQ(json.at("file"), "toss.csv");
+  EXPECT_EQ(json.at("flips"), nlohmann::json({0.5}));
+  const auto halves = unpacked<std::uint32_t>(json.at("rows"), 16);
+  std::vector<double> rows(halves.size() / 2);
+  std::memcpy(rows.data(), halves.data(), 4 * halves.size());
+  ASSERT_EQ(rows.size(), 8U * 300);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const auto& [t, X, omega] = recording.motion.instants()[i];
+    const std::array ought{t, X.w(), X.x(), X.y(), X.z(), omega.x(), omega.y(), omega.z()};
+    EXPECT_TRUE(std::ranges::equal(ought, std::span(rows).subspan(8 * i, 8))) << i;
+  }
+}
+
+TEST(PageJson, HasFewerRowsOfALongRecordingAndStatesTheAngle) {
+  const scene::ShownRecording recording = recording_of(20'000);
+  const PageRecording shown = page_recording(recording);
+  EXPECT_LE(shown.motion.instants().size(), 5000U);
+  EXPECT_LT(recording_json(recording, shown.motion).dump().size(), 450'000U);
+  EXPECT_THAT(shown.note, testing::HasSubstr("of the 20000 rows of logs/toss.csv; at the others "
+                                             "the attitude differs by at most "));
+}
+
+/// Rows whose attitudes are not connected by any motion.
+TEST(PageJson, RefusesARecordingThatFewRowsCannotShow) {
+  std::vector<motion::RecordedMotion::Instant> instants;
+  for (int i = 0; i < 6000; ++i) {
+    const double angle = i % 3;
+    instants.push_back(
+        {0.02 * i, Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vector3d::UnitX())), {1, 2, 3}});
+  }
+  const scene::ShownRecording recording{.file = "noise.csv",
+                                        .path = {},
+                                        .motion = {std::move(instants), 1},
+                                        .flip_times = {},
+                                        .sha256 = {}};
+  EXPECT_THROW(page_recording(recording), InvalidArgument);
 }
 
 TEST(PageJson, ListsThePartsThatTouch) {

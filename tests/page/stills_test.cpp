@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "base/enumeration.h"
 #include "page/figure_start.h"
 #include "page/page_html.h"
+#include "scene/shown_recording.h"
 
 namespace twrench::page {
 namespace {
@@ -69,6 +71,30 @@ TEST(Stills, OfThreeAxesShowThreeBodiesEachAboutItsOwn) {
     EXPECT_NEAR(std::abs(along[i]), 1, 1e-3);
     EXPECT_NEAR(along.norm() / std::abs(along[i]), std::hypot(1, 0.05), 1e-12);
   }
+}
+
+TEST(Stills, OfARecordingShowItBesideTheExactMotion) {
+  Scene scene = scene::load_scene("tennis-racket");
+  scene.motion.attitude = Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Vector3d::UnitX()));
+  const Eigen::Quaterniond turned(Eigen::AngleAxisd(1, Vector3d::UnitZ()));
+  scene.motion.recording = std::make_shared<const scene::ShownRecording>(
+      scene::ShownRecording{.file = "a.csv",
+                            .path = {},
+                            .motion = {{{0, turned, {1, 2, 3}}, {1, turned, {1, 2, 3}}}, 2},
+                            .flip_times = {},
+                            .sha256 = {}});
+  const auto stills = stills_of(shown_scene(scene), true);
+  const Still& recorded = find(stills, "part-recorded");
+  ASSERT_EQ(recorded.panes.size(), 2U);
+  EXPECT_EQ(recorded.panes[0].motion.recording, scene.motion.recording);
+  EXPECT_LE(recorded.panes[0].motion.duration, 1);
+  EXPECT_EQ(recorded.panes[1].motion.recording, nullptr);
+  EXPECT_TRUE(recorded.panes[1].motion.attitude);
+  for (const Still& still : stills) {
+    if (still.name == "part-recorded") continue;
+    for (const Scene& pane : still.panes) EXPECT_EQ(pane.motion.recording, nullptr) << still.name;
+  }
+  EXPECT_FALSE(find(stills, "part-flip").panes[0].motion.attitude);
 }
 
 // The figures of such a body are of a box, but the first is of the body itself.

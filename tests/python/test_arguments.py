@@ -149,10 +149,6 @@ def test_a_scene_with_an_attitude(program, tmp_path):
     scene.export(tmp_path / "a.csv")
     assert (tmp_path / "a.csv").read_text() == program("simulate", *options)
     assert (scene.frame(0) != Scene("stable-y", size=(160, 90)).frame(0)).any()
-    (tmp_path / "template.html").write_text("{{title}}")
-    with pytest.raises(twrench.UsageError, match="attitude: a page begins with X"):
-        scene.page(tmp_path / "a.html", template=tmp_path / "template.html")
-    assert scene._repr_html_() is None
     again = Scene.from_toml(
         "[body]\nmoments = [1, 2, 3]\n[motion]\nattitude = [0.5, 0.5, -0.5, 0.5]\n"
     )
@@ -274,7 +270,7 @@ def test_threads_call_at_once(tmp_path):
         ("report", lambda scene: scene.report("a.md")),
         ("export_motion", lambda scene: scene.export("a.glb")),
         ("draw_plot", lambda scene: scene.plot("a.svg")),
-        ("attitude_curve", lambda scene: scene.plot()),
+        ("attitude_curves", lambda scene: scene.plot()),
         ("render", lambda scene: scene.render("a.mp4")),
         ("FrameDrawer", lambda scene: scene.frame(0)),
     ],

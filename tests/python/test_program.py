@@ -86,7 +86,7 @@ OF_RECORDINGS |= dict.fromkeys(
 )
 WITHOUT_ARGUMENT |= {
     f"{command} {option}": reason
-    for command in ("render", "simulate", "export")
+    for command in ("render", "simulate", "export", "page", "plot")
     for option, reason in OF_RECORDINGS.items()
 }
 #: A recording that can be checked.
@@ -183,8 +183,6 @@ def test_the_pages_of_all_scenes_are_as_of_the_program(program, tmp_path, templa
     for name in few:
         program("page", name, "--theme", "paper", "--size", "160x90", "--template", template, "-o", theirs)
         assert (mine / f"{name}.html").read_bytes() == theirs.read_bytes(), name
-    with pytest.raises(twrench.UsageError, match="^attitude"):
-        twrench.pages(tmp_path / "turned", template=template, attitude=(0.5, 0.5, 0.5, 0.5))
     with pytest.raises(twrench.FileError, match="template.html"):
         twrench.pages(template, template=template)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["new", "template.html", "theirs.html"]

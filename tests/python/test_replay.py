@@ -53,17 +53,27 @@ def test_what_needs_a_free_motion_is_left_out_with_a_warning():
 
 def test_results_of_the_free_motion_are_refused(tmp_path):
     scene = Scene(body=BODY, motion=recorded(), size=SIZE)
-    for refused in (
-        scene.simulate,
-        lambda: scene.page(tmp_path / "a.html"),
-        lambda: scene.report(tmp_path / "a.html"),
-        lambda: scene.plot(tmp_path / "a.svg"),
-    ):
+    for refused in (scene.simulate, lambda: scene.report(tmp_path / "a.html")):
         with pytest.raises(UsageError, match="the scene shows a recording|recording that the scene"):
             refused()
     assert list(tmp_path.iterdir()) == []
     with pytest.raises(UsageError, match="not pickled"):
         pickle.dumps(scene)
+
+
+def test_pages_and_plots_show_the_exact_motion_beside_it(tmp_path):
+    scene = Scene(body=BODY, motion=recorded(), size=SIZE)
+    template = tmp_path / "t.html"
+    template.write_text("{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->")
+    html = scene.page(tmp_path / "a.html", lab=True, template=template).read_text()
+    assert '"recording":{"file":' in html
+    pytest.importorskip("matplotlib")
+    panels = scene.plot().axes
+    assert len(panels) == 9
+    for panel in panels:
+        shown, exact = (line for line in panel.lines if len(line.get_xdata()) > 2)
+        assert exact.get_linestyle() == "--"
+        assert np.abs(shown.get_ydata() - exact.get_ydata()).max() < 1e-6
 
 
 def test_a_film_may_not_be_longer_than_the_recording():

@@ -42,6 +42,7 @@ export class App {
     this.graphics = graphics;
     /** @type {(() => void)[]} Called when the reader's preferred theme changes. */
     this.themeListeners = [];
+    if (data.recording) core.record(data.recording);
     this.store = new Store(initialState(data, navigator.languages));
     const methods = core.methods.map(({ name }) => name);
     this.known = readers(data, methods);
@@ -105,7 +106,7 @@ export class App {
   /** @param {State} state */
   #modelOf({ moments, omega, wheel, energy_loss_time: energyLossTime }) {
     const inertia = moments ? diagonal(moments) : this.data.inertia;
-    const motion = this.core.motion(inertia, omega, { wheel, energyLossTime });
+    const motion = this.core.motion(inertia, omega, { wheel, energyLossTime }, this.data.attitude);
     return new MotionModel(motion, this.data.scene.overlay.trail_length);
   }
 

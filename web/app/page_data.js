@@ -1,6 +1,6 @@
 // Reads the data that twrench page writes into the page: see src/page/page_json.h.
 import { surfaceOf } from '../picture/surface.js';
-import { inflated } from '../picture/unpacking.js';
+import { inflated, unpacked } from '../picture/unpacking.js';
 import { byId } from './dom.js';
 
 /** @import { Section } from '../article/types' */
@@ -9,6 +9,11 @@ import { byId } from './dom.js';
 /** @returns {Promise<PageData>} */
 export async function readPageData() {
   const data = JSON.parse(byId('scene').textContent ?? '');
+  const { recording } = data;
+  if (recording) {
+    const halves = await unpacked(recording.rows, Uint32Array, 16); // of the eight doubles of a row
+    recording.rows = new Float64Array(halves.buffer);
+  }
   return { ...data, surface: await surfaceOf(data.surface) };
 }
 

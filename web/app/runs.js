@@ -1,12 +1,17 @@
 // Runs the two compared methods along the motion, and computes their deviation from it.
+import { recorded } from '../core/motion.js';
+import { word } from '../words/words.js';
 import { messageOf } from './dom.js';
 
-/** @import { Run } from '../core/core.js' */
+/** @import { Recording, Run } from '../core/core.js' */
 /** @import { MotionModel } from './motion_model.js' */
 /** @import { State } from './types' */
 
 const millisecondsOfFrame = 6; // that both methods together may use
 const stepsAtOnce = 400;
+
+/** The name of a method for the reader. @param {string} method */
+export const nameOf = (method) => (method === recorded ? word('recorded') : method);
 
 /** Runs a method. */
 class Runner {
@@ -18,7 +23,7 @@ class Runner {
     /** The error that stopped it. */
     this.failure = '';
     this.reached = 0;
-    /** @type {Run | null} */
+    /** @type {Run | Recording | null} */
     this.run = null;
     try {
       if (!this.exact) this.run = model.motion.run(method, control);
@@ -60,8 +65,9 @@ class Runner {
     return this.run.flipTimes().filter((time) => time <= t).length;
   }
 
+  /** NaN if it has none. */
   get steps() {
-    return this.run?.steps ?? 0;
+    return this.exact ? NaN : (this.run?.steps ?? 0);
   }
 
   release() {

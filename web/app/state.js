@@ -1,5 +1,6 @@
 // The state of the page, which a link contains. It is one object, replaced as a whole at each change, so
 // that a view can compare the new state with the one that it drew.
+import { recorded } from '../core/motion.js';
 import { clamp } from '../math/linear.js';
 
 /** @import { State } from './types' */
@@ -38,8 +39,8 @@ export function languageOf(languages) {
  * @param {readonly string[]} languages The reader's, as in navigator.languages.
  * @returns {State}
  */
-export function initialState({ scene, language }, languages) {
-  const compared = scene.overlay.compare ?? [];
+export function initialState({ scene, language, recording }, languages) {
+  const compared = recording ? [recorded, movesInside(scene) ? 'taylor' : 'exact'] : (scene.overlay.compare ?? []);
   return {
     t: 0,
     speed: powerOfTwo(scene.film.speed),
@@ -60,6 +61,9 @@ export function initialState({ scene, language }, languages) {
     lang: language ?? languageOf(languages),
   };
 }
+
+/** Whether something moves in the body of a scene. @param {Record<string, any>} scene */
+const movesInside = ({ motion: { wheel, energy_loss_time } }) => Boolean(wheel ?? energy_loss_time);
 
 /** Whether nothing moves in the body. @param {State} state */
 export const isRigid = (state) => state.wheel.every((h) => h === 0) && state.energy_loss_time === Infinity;

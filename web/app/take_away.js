@@ -1,6 +1,7 @@
 // The texts that the reader can copy or save: the command line that renders the motion as a film, its
 // scene file, its data.
 import { clamp } from '../math/linear.js';
+import { recorded } from '../core/motion.js';
 import { word } from '../words/words.js';
 import { samplesShown } from './motion_model.js';
 import { textOf } from './link.js';
@@ -23,22 +24,36 @@ const optionOf = (option, value) =>
 const differ = (a, b) => String(a) !== String(b);
 
 /**
+ * Whether the recorded motion is shown beside the motion that the program compares it with.
+ * @param {State} state @param {PageData} data
+ */
+const showsRecording = ({ compare, methods, omega }, { recording, scene }) =>
+  Boolean(recording) && compare !== 'off' && methods.includes(recorded) && !differ(omega, scene.motion.omega);
+
+/**
  * The values of the scene that the state may change, by table and key of scene files.
  * @param {State} state @param {PageData} data @param {string} theme The one shown. @param {MotionModel} model
+ * @param {boolean} hasRecording Whether a recorded motion is shown, which determines the start.
  * @returns {[string, string, any][]}
  */
-function valuesOf(state, data, theme, { facts }) {
+function valuesOf(state, data, theme, { facts }, hasRecording) {
   const { scene } = data,
     { camera, overlay } = scene;
   const [azimuth, elevation, zoom] = state.view;
-  const compared = state.compare !== 'off',
-    method = compared ? state.methods[0] : facts.kind ? 'exact' : 'taylor';
+  const methods = state.methods.filter((name) => name !== recorded),
+    compared = state.compare !== 'off' && methods.length > 0,
+    method = compared ? methods[0] : facts.kind ? 'exact' : 'taylor';
+  /** @type {[string, string, any][]} */
+  const start = [
+    ['motion', 'omega', state.omega],
+    ['motion', 'attitude', scene.motion.attitude],
+    ['motion', 'method', method],
+  ];
   /** @type {[string, string, any][]} */
   const all = [
-    ['motion', 'omega', state.omega],
+    ...(hasRecording ? [] : start.filter(([, , value]) => value !== undefined)),
     ['motion', 'wheel', state.wheel],
     ['motion', 'energy_loss_time', state.energy_loss_time],
-    ['motion', 'method', method],
     ['motion', 'duration', Math.max(state.from + state.length, state.t)],
     ['film', 'speed', state.speed],
     ['look', 'theme', theme],
@@ -51,11 +66,11 @@ function valuesOf(state, data, theme, { facts }) {
     all.push(
       ['motion', 'step', state.step],
       ['motion', 'tolerance', state.tolerance],
-      ['overlay', 'compare', state.methods],
+      ['overlay', 'compare', methods],
     );
   } else if (!facts.kind) all.push(['motion', 'tolerance', tightest]);
   // One motion instead of those that the film compares.
-  if (!compared && overlay.compare?.length) all.push(['overlay', 'compare', [method]]);
+  if (!compared && !hasRecording && overlay.compare?.length) all.push(['overlay', 'compare', [method]]);
   if (overlay.compare_wheel?.length) all.push(['overlay', 'compare_wheel', [state.wheel]]);
   const { view } = overlay,
     lacksSphere = state.show.includes('phase') && view === 'poinsot';
@@ -110,10 +125,12 @@ export function commandLine(state, data, theme, model) {
   const source = data.source ?? data.scene.name,
     given = data.source_scene ?? data.scene;
   if (given.shot) return storyCommands(source);
+  const hasRecording = showsRecording(state, data);
   const parts = ['twrench render', ...[source, ...(data.source_options ?? [])].map(quoted)];
+  if (hasRecording) parts.push(...(data.recording?.options ?? []).map(quoted));
   const inertia = state.moments ?? inertiaOf(data.scene.body);
   if (differ(inertia, inertiaOf(given.body))) parts.push(optionOf('inertia', inertia));
-  for (const value of valuesOf(state, data, theme, model))
+  for (const value of valuesOf(state, data, theme, model, hasRecording))
     if (isChanged(value, given)) parts.push(optionOf(value[1], value[2]));
   const show = shownFeatures(state, data),
     before = given.overlay.show;
@@ -148,7 +165,8 @@ function partTable({ sha256, shell, ...rest }) {
  */
 export function sceneFile(state, data, theme, model) {
   const { part, body, shot, name, title, language, ...tables } = structuredClone(data.scene);
-  for (const value of valuesOf(state, data, theme, model)) {
+  delete tables.motion.recording; // a scene file gives the computed motion
+  for (const value of valuesOf(state, data, theme, model, false)) {
     const [table, key] = value;
     if (isChanged(value, tables)) (tables[table] ??= {})[key] = value[2];
   }

@@ -1,5 +1,7 @@
 // The state of the page, and the data that the program writes into it.
 
+import type { RecordedRows } from '../core/types';
+
 export type FrameName = 'space' | 'body' | 'rotating';
 export type Comparison = 'off' | 'beside' | 'ghost';
 
@@ -49,6 +51,8 @@ export interface PageData {
   scene: Record<string, any>; // its values, with the keys of scene files
   source_scene?: Record<string, any>; // its values before the command line changed them
   inertia: number[]; // body axes, g cm^2, row by row
+  attitude: number[]; // of the scene's motion at t = 0, row by row
+  recording?: RecordedRows & { options: string[] }; // a recorded motion, and the options that show it in a film
   surface: Surface;
   themes: Record<string, any>;
   rigid_features: string[]; // items of a film that have a meaning only for a rigid body

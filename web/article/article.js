@@ -72,8 +72,8 @@ export class Article {
     this.body = asBox ? new Body(app.core, app.data, true) : own;
     this.root = byId('article');
     this.parts = sections
-      .filter(({ ofReplaced }) => asBox || !ofReplaced)
-      .map((section) => new Part(section, app, section.ofReplaced ? own : this.body));
+      .filter(({ when }) => !when || { replaced: asBox, recorded: app.data.recording }[when])
+      .map((section) => new Part(section, app, section.when ? own : this.body));
     this.root.append(...this.parts.map((part) => part.element));
     for (const id of ['article', 'lab', 'to-lab']) byId(id).hidden = false;
     this.#write();

@@ -4,7 +4,7 @@ import { MotionModel, spunAbout } from '../app/motion_model.js';
 import { add, column, cross, dot, norm, scale } from '../math/linear.js';
 
 /** @import { Core } from '../core/core.js' */
-/** @import { Interior } from '../core/types' */
+/** @import { Interior, Matrix } from '../core/types' */
 /** @import { PageData } from '../app/types' */
 
 const usualPush = 0.05; // deviation from the axis, as a fraction of the angular velocity
@@ -44,9 +44,9 @@ export class Body {
     flipping.release();
   }
 
-  /** @param {number[]} omega rad/s, body axes @param {Interior} [interior] */
-  model(omega, interior) {
-    return new MotionModel(this.core.motion(this.inertia, omega, interior), this.trailLength);
+  /** @param {number[]} omega rad/s, body axes @param {Interior} [interior] @param {Matrix} [attitude] */
+  model(omega, interior, attitude) {
+    return new MotionModel(this.core.motion(this.inertia, omega, interior, attitude), this.trailLength);
   }
 
   /** A wheel along the rotation about the middle axis. @param {number} momentum g cm^2/s @returns {Interior["wheel"]} */

@@ -2,7 +2,7 @@
 // the methods.
 import { seek } from '../app/player.js';
 
-/** @import { Interior } from '../core/types' */
+/** @import { Interior, Matrix } from '../core/types' */
 /** @import { Axis } from './body.js' */
 /** @import { Figure } from './figure.js' */
 /** @import { ControlName } from './types' */
@@ -15,6 +15,7 @@ import { seek } from '../app/player.js';
  * @property {(figure: Figure, value: number) => void} set
  * @property {(figure: Figure) => number[][]} omegas The angular velocities of the bodies at t = 0.
  * @property {(figure: Figure) => Interior[]} [interiors] What moves in the bodies; default: nothing.
+ * @property {(figure: Figure) => Matrix} [attitude] At t = 0; default: the identity.
  */
 
 const degree = Math.PI / 180;
@@ -44,6 +45,7 @@ export const controls = {
     ...timeline,
     omegas: ({ app }) => [app.data.scene.motion.omega],
     interiors: ({ store: { initial } }) => [{ wheel: initial.wheel, energyLossTime: initial.energy_loss_time }],
+    attitude: ({ app }) => app.data.attitude,
   },
   push: {
     ...own,

@@ -3,7 +3,7 @@
 import { Pictures } from '../app/pictures.js';
 import { element } from '../app/dom.js';
 import { Player } from '../app/player.js';
-import { Runs } from '../app/runs.js';
+import { nameOf, Runs } from '../app/runs.js';
 import { initialState, Store } from '../app/state.js';
 import { chartColors } from '../app/theme.js';
 import { NumberField } from '../panels/number_field.js';
@@ -164,7 +164,8 @@ export class Figure {
   #restart() {
     const last = this.models;
     const interiors = this.control.interiors?.(this) ?? [];
-    this.models = this.control.omegas(this).map((omega, i) => this.body.model(omega, interiors[i]));
+    const attitude = this.control.attitude?.(this);
+    this.models = this.control.omegas(this).map((omega, i) => this.body.model(omega, interiors[i], attitude));
     this.runs.stop();
     for (const model of last) model.release();
     const { first = this.body.interval } = this.models[0].facts.flips ?? {},
@@ -184,7 +185,7 @@ export class Figure {
     this.button.relabel();
     this.field?.relabel();
     const { compare, methods } = this.store.state,
-      names = compare === 'off' ? this.#bodyNames() : methods;
+      names = compare === 'off' ? this.#bodyNames() : methods.map(nameOf);
     this.names.replaceChildren(...names.map((name) => element('span', '', name)));
     this.isNew = true;
     this.player.invalidate();

@@ -78,6 +78,7 @@ const ofMotion = {
   first: ({ models }) => duration(models[0].facts.flips?.first ?? Infinity),
   swing: ({ models }) => degrees(models[0].facts.flips?.swing ?? 0),
   fate,
+  file: ({ app }) => app.data.recording?.file ?? '',
   moments: ({ body }) => body.facts.moments.map(brief).join(', '),
   push: ({ value }) => percent(value),
   axis: ({ value }) => `${brief(value)}°`,
@@ -104,6 +105,12 @@ const driftOf = ({ models, runs, store }, index) => {
   return brief(models[0].motion.diagnose(samples).energyDrift[0]);
 };
 
+/** The angle in rad between what a method shows and the motion. @param {Figure} figure @param {number} index of a method */
+const angleOff = ({ models, runs, store }, index) => {
+  const { error } = models[0].motion.diagnose(runs.runners[index].samples([store.state.t]));
+  return 2 * Math.asin(Math.min(error[0] / Math.sqrt(8), 1));
+};
+
 /** Numbers that change with the time. @type {Record<string, (figure: Figure) => string>} */
 const ofTime = {
   t: ({ store }) => duration(store.state.t),
@@ -121,6 +128,7 @@ const ofTime = {
   left: ({ models, store }) => percent(models[1].energyLeft(store.state.t)),
   flipsA: ({ runs, store }) => String(runs.runners[0].flipsUntil(store.state.t)),
   flipsB: ({ runs, store }) => String(runs.runners[1].flipsUntil(store.state.t)),
+  offA: (figure) => degrees(angleOff(figure, 0)),
   driftA: (figure) => driftOf(figure, 0),
   driftB: (figure) => driftOf(figure, 1),
 };

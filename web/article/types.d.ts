@@ -34,7 +34,7 @@ export interface FigureDescription {
 
 export interface Section {
   id: string;
-  ofReplaced?: boolean; // Whether it shows the scene's motion, on pages whose other figures show a box instead.
+  when?: 'replaced' | 'recorded'; // Shows the scene's motion: if the other figures show a box instead, or beside a recorded motion.
   figure: FigureDescription;
   formula?: { math: string; text: string }; // MathML, and text for browsers without it.
   en: SectionText;

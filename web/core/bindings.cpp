@@ -17,8 +17,9 @@
 #include <vector>
 
 #include "body/dimensions.h"
+#include "method_run.h"
 #include "motion.h"
-#include "recorded_run.h"
+#include "motion/recorded_motion.h"
 #include "scene/scene.h"
 #include "scratch.h"
 
@@ -104,10 +105,10 @@ extern "C" {
   return json.c_str();
 }
 
-/// Creates the motion of the inertia, the omega, the wheel's angular momentum and the time constant
-/// of the energy loss in the scratch area.
+/// Creates the motion of the inertia, the omega, the wheel's angular momentum, the time constant of
+/// the energy loss and the attitude at t = 0 in the scratch area.
 [[clang::export_name("motion_new")]] Motion* motion_new() {
-  return new Motion(motion::FreeBody(matrix_at(0), vector_at(9), Eigen::Matrix3d::Identity(),
+  return new Motion(motion::FreeBody(matrix_at(0), vector_at(9), matrix_at(16),
                                      {.wheel = vector_at(12), .energy_loss_time = numbers[15]}));
 }
 
@@ -182,38 +183,61 @@ extern "C" {
   std::ranges::copy(columns, numbers.begin());
 }
 
-using twrench::page::RecordedRun;
+using twrench::motion::RecordedMotion;
 
-[[clang::export_name("run_new")]] RecordedRun* run_new(const Motion* motion, std::size_t method,
-                                                       double step, double tolerance) {
-  return new RecordedRun(motion->body, motion::methods()[method],
-                         {.step = step, .tolerance = tolerance});
+/// Creates the recorded motion of rows of eight doubles in the scratch area: the time, the attitude
+/// as the quaternion w, x, y, z, and omega.
+[[clang::export_name("recording_new")]] RecordedMotion* recording_new(std::size_t rows,
+                                                                      double longest_step) {
+  std::vector<RecordedMotion::Instant> instants;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double* row = &numbers.at(8 * i);
+    instants.push_back({row[0], {row[1], row[2], row[3], row[4]}, vector_at(8 * i + 5)});
+  }
+  return new RecordedMotion(std::move(instants), longest_step);
 }
 
-[[clang::export_name("run_free")]] void run_free(const RecordedRun* run) { delete run; }
+[[clang::export_name("recording_free")]] void recording_free(const RecordedMotion* recording) {
+  delete recording;
+}
 
-[[clang::export_name("run_advance")]] double run_advance(RecordedRun* run, double t, double steps) {
+[[clang::export_name("recording_samples")]] void recording_samples(const RecordedMotion* recording,
+                                                                   std::size_t n) {
+  write_samples(recording->samples_at(times_at_beginning(n)));
+}
+
+using twrench::page::MethodRun;
+
+[[clang::export_name("run_new")]] MethodRun* run_new(const Motion* motion, std::size_t method,
+                                                     double step, double tolerance) {
+  return new MethodRun(motion->body, motion::methods()[method],
+                       {.step = step, .tolerance = tolerance});
+}
+
+[[clang::export_name("run_free")]] void run_free(const MethodRun* run) { delete run; }
+
+[[clang::export_name("run_advance")]] double run_advance(MethodRun* run, double t, double steps) {
   run->advance(t, static_cast<std::size_t>(steps));
   return run->reached();
 }
 
-[[clang::export_name("run_reached")]] double run_reached(const RecordedRun* run) {
+[[clang::export_name("run_reached")]] double run_reached(const MethodRun* run) {
   return run->reached();
 }
-[[clang::export_name("run_steps")]] double run_steps(const RecordedRun* run) {
+[[clang::export_name("run_steps")]] double run_steps(const MethodRun* run) {
   return static_cast<double>(run->steps());
 }
-[[clang::export_name("run_evaluations")]] double run_evaluations(const RecordedRun* run) {
+[[clang::export_name("run_evaluations")]] double run_evaluations(const MethodRun* run) {
   return static_cast<double>(run->evaluations());
 }
 
-[[clang::export_name("run_samples")]] void run_samples(RecordedRun* run, std::size_t n) {
+[[clang::export_name("run_samples")]] void run_samples(MethodRun* run, std::size_t n) {
   std::vector<motion::Sample> samples;
   for (const double t : times_at_beginning(n)) samples.push_back(run->at(t));
   write_samples(samples);
 }
 
-[[clang::export_name("run_flips")]] std::size_t run_flips(const RecordedRun* run) {
+[[clang::export_name("run_flips")]] std::size_t run_flips(const MethodRun* run) {
   const std::vector<double>& times = run->flip_times();
   scratch(times.size());
   std::ranges::copy(times, numbers.begin());

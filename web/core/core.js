@@ -1,18 +1,19 @@
 /**
  * The motion of a free rigid body: the C++ of twrench in WebAssembly. Units are cm, g, s and rad, as
  * in scene files; matrices are arrays of 9 numbers, row by row; vectors of 3. Body axes are the axes
- * in which the inertia matrix was given, X = space_from_body, and X(0) is the identity.
+ * in which the inertia matrix was given, X = space_from_body, and X(0) is the identity unless
+ * another attitude is given.
  *
  * Every call can throw a CoreError, whose message names the quantity and the problem; the objects remain
  * usable afterwards.
  */
 import { CoreError, Instance } from './instance.js';
-import { matrix, Motion, vector } from './motion.js';
+import { matrix, Motion, recorded, Recording, vector } from './motion.js';
 
 export { CoreError };
-export { Motion, Run } from './motion.js';
+export { Motion, Recording, recorded, Run } from './motion.js';
 
-/** @import { Interior, MassProperties, Matrix, Method, Part, Shape, Stability, Vector } from './types' */
+/** @import { Interior, MassProperties, Matrix, Method, Part, RecordedRows, Shape, Stability, Vector } from './types' */
 
 const stabilities = /** @type {const} */ (['unstable', 'stable', 'neutral']);
 
@@ -38,6 +39,8 @@ export class Core {
     this.methods = JSON.parse(instance.text(instance.call('methods')));
     /** @type {Shape[]} */
     this.shapes = JSON.parse(instance.text(instance.call('shapes')));
+    /** @type {Recording | null} The recorded motion, if there is one. */
+    this.recording = null;
   }
 
   /** Throws a CoreError if no method has the name. @param {string} name */
@@ -55,9 +58,21 @@ export class Core {
    * @param {readonly number[]} inertia nine numbers
    * @param {readonly number[]} omega
    * @param {Interior} [interior]
+   * @param {Matrix} [attitude] X(0), space_from_body
    */
-  motion(inertia, omega, interior = rigid) {
-    return new Motion(this, inertia, omega, interior);
+  motion(inertia, omega, interior = rigid, attitude = diagonal([1, 1, 1])) {
+    return new Motion(this, inertia, omega, interior, attitude);
+  }
+
+  /**
+   * Adds a recorded motion to the methods, by the name `recorded`.
+   * @param {RecordedRows} rows
+   */
+  record(rows) {
+    this.recording = new Recording(this.instance, rows);
+    const summary = `the motion recorded in ${rows.file}`;
+    const has = { exact: true, adaptive: false, leavesGroup: false, conservesEnergy: false, reversible: false };
+    this.methods.push({ name: recorded, order: null, ...has, summary, source: rows.file });
   }
 
   /** @param {readonly Part[]} parts @returns {MassProperties} */

@@ -1,6 +1,6 @@
 /** A motion: at any t, or integrated by a method. */
 /** @import { Core } from './core.js' */
-/** @import { Diagnostics, Facts, Interior, Kind, Matrix, Sample, Samples, StepControl, Vector } from './types' */
+/** @import { Diagnostics, Facts, Interior, Kind, Matrix, RecordedRows, Sample, Samples, StepControl, Vector } from './types' */
 /** @import { Instance } from './instance.js' */
 
 const kinds = /** @type {Kind[]} */ (['steady', 'about_least', 'about_greatest', 'separatrix']);
@@ -43,7 +43,7 @@ export const firstOf = ({ t, X, omega }) => ({ t: t[0], X: matrix(X, 0), omega: 
 
 /** A motion or a run in C++; release() frees its memory. */
 class Sampled {
-  /** @param {Instance} instance @param {() => number} make @param {"motion" | "run"} kind */
+  /** @param {Instance} instance @param {() => number} make @param {"motion" | "run" | "recording"} kind */
   constructor(instance, make, kind) {
     this.instance = instance;
     this.kind = kind;
@@ -83,10 +83,13 @@ class Sampled {
 }
 
 export class Motion extends Sampled {
-  /** @param {Core} core @param {readonly number[]} inertia @param {readonly number[]} omega @param {Interior} interior */
-  constructor(core, inertia, omega, { wheel, energyLossTime }) {
+  /**
+   * @param {Core} core @param {readonly number[]} inertia @param {readonly number[]} omega @param {Interior} interior
+   * @param {Matrix} attitude X(0)
+   */
+  constructor(core, inertia, omega, { wheel, energyLossTime }, attitude) {
     const { instance } = core,
-      numbers = [...inertia, ...omega, ...wheel, energyLossTime];
+      numbers = [...inertia, ...omega, ...wheel, energyLossTime, ...attitude];
     super(instance, () => instance.callWith(numbers, 'motion_new'), 'motion');
     this.core = core;
     this.inertia = [...inertia];
@@ -133,6 +136,7 @@ export class Motion extends Sampled {
    * @param {number} [mostSteps]
    */
   integrate(method, { step, tolerance }, times, mostSteps = 5e6) {
+    if (method === recorded && this.core.recording) return this.core.recording.samples(times);
     const index = this.core.methods.indexOf(this.core.method(method));
     return this.compute('integrate', times, index, step, tolerance, mostSteps);
   }
@@ -204,12 +208,39 @@ export class Motion extends Sampled {
   }
 
   /**
-   * A run of a method along the motion, forward from t = 0, which remembers its steps.
-   * @param {string} method @param {StepControl} control
+   * A run of a method along the motion, forward from t = 0, which remembers its steps; or the recorded
+   * motion.
+   * @param {string} method @param {StepControl} control @returns {Run | Recording}
    */
   run(method, control) {
-    return new Run(this, method, control);
+    return (method === recorded && this.core.recording) || new Run(this, method, control);
   }
+}
+
+/** The name of the recorded motion among the methods. */
+export const recorded = 'recorded';
+
+/** A recorded motion. It has the interface of a run that has reached its end. */
+export class Recording extends Sampled {
+  /** @param {Instance} instance @param {RecordedRows} rows */
+  constructor(instance, { file, rows, duration, longest_step: longest, flips }) {
+    super(instance, () => instance.callWith(rows, 'recording_new', rows.length / 8, longest), 'recording');
+    this.file = file;
+    this.reached = duration;
+    this.steps = NaN;
+    this.flips = flips;
+  }
+
+  advance() {
+    return this.reached;
+  }
+
+  flipTimes() {
+    return Float64Array.from(this.flips);
+  }
+
+  /** Does nothing: all figures share it. */
+  release() {}
 }
 
 /** A run of a method. It throws if the method cannot continue; computed samples remain available. */

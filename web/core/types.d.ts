@@ -31,13 +31,22 @@ export interface Diagnostics {
 export interface Method {
   name: string;
   order: number | null;
-  exact: boolean; // the closed form: no step, no error
+  exact: boolean; // has no step
   adaptive: boolean; // takes a tolerance and chooses its steps
   leavesGroup: boolean; // X does not remain a rotation
   conservesEnergy: boolean;
   reversible: boolean;
   summary: string; // one line
   source: string;
+}
+
+/** A recorded motion. */
+export interface RecordedRows {
+  file: string;
+  rows: Float64Array; // Eight numbers each: the time in s, the attitude as the quaternion w, x, y, z, and omega.
+  duration: number; // s
+  longest_step: number; // s; if two rows are farther apart, nothing is known between them
+  flips: number[]; // s
 }
 
 /** What moves in a body. */

@@ -1,6 +1,7 @@
 // Compares two methods with the motion, which is exact or, without a closed form, that of taylor: their choice, their step, and their errors.
 import { byId, radiosOf, selectOf, showNote, tableRow } from '../app/dom.js';
 import { evenly } from '../app/motion_model.js';
+import { nameOf } from '../app/runs.js';
 import { replaced } from '../app/state.js';
 import { clamp } from '../math/linear.js';
 import { brief, fillSelect, superscript, word } from '../words/words.js';
@@ -29,7 +30,7 @@ export class ComparePanel {
       selectOf(id, (name) => store.set({ methods: replaced(store.state.methods, i, name) })),
     );
     for (const select of this.selects)
-      fillSelect(select, core.methods.map(({ name }) => [name, name]), '');
+      fillSelect(select, core.methods.map(({ name }) => [name, nameOf(name)]), '');
     this.showMode = radiosOf('compare', (compare) => store.set({ compare }));
     const field = (/** @type {"step" | "tolerance"} */ key, /** @type {number[]} */ range) =>
       new NumberField(byId(`${key}-field`), {
@@ -97,11 +98,11 @@ export class ComparePanel {
     }
     const notes = runs.runners
       .filter((runner) => runner.failure || !runner.knows(state.t))
-      .map((runner) => runner.failure || word('reached', runner.method, brief(runner.reached)));
+      .map((runner) => runner.failure || word('reached', nameOf(runner.method), brief(runner.reached)));
     showNote('compare-note', notes.join(' · '));
     runs.runners.forEach(({ method, failure, reached }, i) => {
       const end = failure && state.t > reached ? ` · ${word('stopped', brief(reached))}` : '';
-      byId(i === 0 ? 'name-a' : 'name-b').textContent = `${'AB'[i]}: ${method}${end}`;
+      byId(i === 0 ? 'name-a' : 'name-b').textContent = `${'AB'[i]}: ${nameOf(method)}${end}`;
     });
     this.#drawErrors(state, model, runs, colors);
   }
@@ -147,6 +148,6 @@ function report(runner, model, t) {
     momentumError: brief(found.momentumError[0]),
     orthogonality: brief(found.orthogonalityError[0]),
     flipsSeen: model.facts.turnsOver ? String(runner.flipsUntil(t)) : '–',
-    stepsTaken: runner.exact ? '–' : String(runner.steps),
+    stepsTaken: Number.isFinite(runner.steps) ? String(runner.steps) : '–',
   };
 }

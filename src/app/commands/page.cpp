@@ -28,6 +28,7 @@ struct PageOptions {
         scenes(app),
         output(app, system::page_output, OutputOptions::Otherwise::none) {
     scenes.add_motion_options();
+    scenes.add_recording_options();
     scenes.add_look_options();
     scenes.add_language_option();
   }
@@ -68,11 +69,14 @@ ScenePage page_of(const PageOptions& options, const std::string& empty, const sc
                               options.scenes.original(index),
                               options.scenes.sources().at(index),
                               options.scenes.mesh_options().given(),
+                              options.scenes.recording_options().given(),
                               !options.is_lab,
                               language_of(options, scene)};
-  page::require_shown(scene);
-  film::PagePictures pictures = pictures_or_nothing(shown.shown, shown.has_article);
-  page::PageDocument page = page::page_html(empty, shown, pictures.poster + pictures.stills);
+  film::PagePictures pictures;
+  page::PageDocument page = page::page_html(empty, shown, [&] {
+    pictures = pictures_or_nothing(shown.shown, shown.has_article);
+    return pictures.poster + pictures.stills;
+  });
   for (const std::string& note : page.notes) say("twrench: {}\n", note);
   return {std::move(page.html), std::move(pictures.poster)};
 }
@@ -98,7 +102,6 @@ void write_site(PageOptions& options) {
   std::vector<system::OutputFile> page_files;
   for (const scene::Scene& scene : scenes) {
     page_files.push_back(files.add_output(system::page_output, folder / (scene.name + ".html")));
-    page::require_shown(scene);
   }
   const std::string empty = page::page_template(options.template_file);
   system::make_folder(folder);

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "app/commands/commands.h"
 #include "app/options/option_group.h"
@@ -18,6 +19,7 @@ struct PlotOptions {
       : scenes(command, SceneOptions::Count::several),
         output(command, system::plot_output, OutputOptions::Otherwise::none) {
     scenes.add_motion_options();
+    scenes.add_recording_options();
   }
 
   SceneOptions scenes;
@@ -32,7 +34,10 @@ void plot(const PlotOptions& options) {
   plot::require_gnuplot(file.format());
   std::vector<plot::AttitudeCurve> curves;
   for (const scene::Scene& scene : options.scenes.scenes()) {
-    curves.push_back(report::attitude_curve(scene));
+    for (plot::AttitudeCurve& curve : report::shown_curves(scene)) {
+      curves.push_back(std::move(curve));
+    }
+    if (scene.motion.recording) continue;
     const std::string error =
         motion::visible_error(scene::free_body(scene), motion::find_method(scene.motion.method),
                               curves.back().samples.back());

@@ -68,8 +68,11 @@ std::vector<report::Experiment> experiments_of(const ReportOptions& options) {
 
 /// The page of the first scene, which is placed above its results.
 report::Viewer viewer_of(const std::string& empty, const page::PageScene& scene) {
-  const film::PagePictures pictures = pictures_or_nothing(scene.shown, scene.has_article);
-  const page::PageDocument page = page::page_html(empty, scene, pictures.poster + pictures.stills);
+  film::PagePictures pictures;
+  const page::PageDocument page = page::page_html(empty, scene, [&] {
+    pictures = pictures_or_nothing(scene.shown, scene.has_article);
+    return pictures.poster + pictures.stills;
+  });
   for (const std::string& note : page.notes) say("twrench: {}\n", note);
   return {page.html, page::content_policy(empty), pictures.poster};
 }
@@ -104,9 +107,12 @@ void write_report(const ReportOptions& options) {
   std::optional<report::Viewer> viewer;
   if (interactive) {
     viewer =
-        viewer_of(empty, {experiments.front().scene, options.scenes.original(0),
+        viewer_of(empty, {experiments.front().scene,
+                          options.scenes.original(0),
                           report::argument_of(options.scenes.sources().front()),
-                          options.scenes.mesh_options().given(), false,
+                          options.scenes.mesh_options().given(),
+                          {},
+                          false,
                           options.command.count("--language") > 0 ? std::optional(document.language)
                                                                   : std::nullopt});
   }

@@ -50,15 +50,17 @@ recording::Convention ConventionOptions::convention() const {
   return given;
 }
 
-std::string ConventionOptions::given() const {
+std::vector<std::string> ConventionOptions::given() const {
+  std::vector<std::string> words;
   for (const recording::Field& field : recording::convention_fields()) {
     const auto flag = flags_.find(field.name);
     const auto text = texts_.find(field.name);
-    const bool is_given =
-        (flag != flags_.end() && flag->second) || (text != texts_.end() && !text->second.empty());
-    if (is_given) return option_text(field.name, {});
+    if (flag != flags_.end() && flag->second) words.push_back(option_text(field.name, {}));
+    if (text != texts_.end() && !text->second.empty()) {
+      words.insert(words.end(), {option_text(field.name, {}), text->second});
+    }
   }
-  return {};
+  return words;
 }
 
 }  // namespace twrench::app

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/options/command_line.h"
 #include "recording/conventions/convention.h"
@@ -18,8 +19,8 @@ class ConventionOptions {
   /// InvalidArgument.
   recording::Convention convention() const;
 
-  /// Returns the name of an option that was given; empty if there is none.
-  std::string given() const;
+  /// Returns the options that were given, as words of a command line.
+  std::vector<std::string> given() const;
 
  private:
   void add_option(CLI::App& command, const recording::Field& field);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "app/options/arguments.h"
 #include "app/options/option_group.h"
@@ -34,21 +35,24 @@ void RecordingOptions::add_to(CLI::App& command) {
   convention_.add_to(command);
 }
 
-/// Throws InvalidArgument if an option has a meaning only with a recording.
-void RecordingOptions::require_no_others() const {
-  const std::string option = !from_.empty() ? "--from"
-                             : !to_.empty() ? "--to"
-                                            : convention_.given();
-  if (option.empty()) return;
-  throw InvalidArgument(option, "it applies to a recorded motion, and there is none",
-                        "give the recording with --motion FILE, or leave the option out");
+std::vector<std::string> RecordingOptions::given() const {
+  std::vector<std::string> words;
+  for (const auto& [option, value] :
+       {std::pair("--motion", file_), std::pair("--from", from_), std::pair("--to", to_)}) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  }
+  const std::vector<std::string> convention = convention_.given();
+  words.insert(words.end(), convention.begin(), convention.end());
+  return words;
 }
 
 void RecordingOptions::apply(scene::Scene& scene, bool has_body) const {
   if (command_ == nullptr) return;
   if (file_.empty()) {
-    require_no_others();
-    return;
+    const std::vector<std::string> others = given();
+    if (others.empty()) return;
+    throw InvalidArgument(others.front(), "it applies to a recorded motion, and there is none",
+                          "give the recording with --motion FILE, or leave the option out");
   }
   for (const char* option : {"--omega", "--method"}) {
     if (command_->count(option) == 0) continue;

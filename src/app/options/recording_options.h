@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/options/command_line.h"
 #include "app/options/convention_options.h"
@@ -19,9 +20,10 @@ class RecordingOptions {
   /// replay::show_recording() throws.
   void apply(scene::Scene& scene, bool has_body) const;
 
- private:
-  void require_no_others() const;
+  /// Returns the options that were given, as words of a command line.
+  std::vector<std::string> given() const;
 
+ private:
   CLI::App* command_ = nullptr;  ///< Null if the command has no such options.
   std::string file_, from_, to_;
   ConventionOptions convention_;

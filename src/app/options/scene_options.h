@@ -90,6 +90,9 @@ class SceneOptions {
   /// body.
   const std::string& name_of(const scene::Scene& scene) const;
 
+  /// Returns the options for a recorded motion.
+  const RecordingOptions& recording_options() const { return recording_; }
+
   /// Returns the options for SCENE as a mesh.
   const MeshOptions& mesh_options() const { return mesh_; }
 

@@ -10,12 +10,12 @@
 namespace twrench::picture {
 namespace {
 
-// Nine digits distinguish every float; # keeps the decimal point, without which GLSL would read an
-// integer.
-std::string glsl(float value) { return fmt::format("{:#.9g}", value); }
-std::string glsl(const glm::vec2& v) { return fmt::format("vec2({:#.9g}, {:#.9g})", v.x, v.y); }
+// The shortest digits that read back as the same float; # keeps the decimal point, without which
+// GLSL would read an integer.
+std::string glsl(float value) { return fmt::format("{:#}", value); }
+std::string glsl(const glm::vec2& v) { return fmt::format("vec2({:#}, {:#})", v.x, v.y); }
 std::string glsl(const glm::vec3& v) {
-  return fmt::format("vec3({:#.9g}, {:#.9g}, {:#.9g})", v.x, v.y, v.z);
+  return fmt::format("vec3({:#}, {:#}, {:#})", v.x, v.y, v.z);
 }
 std::string glsl(const glm::mat3& m) {
   return fmt::format("mat3({}, {}, {})", glsl(m[0]), glsl(m[1]), glsl(m[2]));

@@ -1,4 +1,4 @@
-#include "recorded_run.h"
+#include "method_run.h"
 
 #include <twrench/motion/error.h>
 #include <twrench/motion/stepper.h>
@@ -17,14 +17,14 @@ constexpr std::size_t most_remembered = 500'000;
 
 }  // namespace
 
-RecordedRun::RecordedRun(const motion::FreeBody& body, const motion::Method& method,
-                         const motion::StepControl& control)
+MethodRun::MethodRun(const motion::FreeBody& body, const motion::Method& method,
+                     const motion::StepControl& control)
     : body_(body),
       method_(method),
       propagator_(motion::make_propagator(body_, method_, control)),
       flips_(body_, method_) {}
 
-void RecordedRun::advance(double t, std::size_t most) {
+void MethodRun::advance(double t, std::size_t most) {
   for (std::size_t n = 0; n < most && propagator_->t() < t; ++n) {
     if (begins_.size() == most_remembered) {
       throw motion::MotionError("method " + std::string(method_.name),
@@ -37,7 +37,7 @@ void RecordedRun::advance(double t, std::size_t most) {
   }
 }
 
-motion::Sample RecordedRun::at(double t) {
+motion::Sample MethodRun::at(double t) {
   require_finite("t", t);
   if (t < 0) {
     throw OutOfRange("t", "a method goes forward from t = 0",

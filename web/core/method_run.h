@@ -10,13 +10,13 @@ namespace twrench::page {
 
 /// Integrates a motion forward with a method and records the beginning of each step, so that a page
 /// can show any time that was reached.
-class RecordedRun {
+class MethodRun {
  public:
   /// Throws OutOfRange if the step or the tolerance is out of range.
-  RecordedRun(const motion::FreeBody& body, const motion::Method& method,
-              const motion::StepControl& control);
-  RecordedRun(const RecordedRun&) = delete;
-  RecordedRun& operator=(const RecordedRun&) = delete;
+  MethodRun(const motion::FreeBody& body, const motion::Method& method,
+            const motion::StepControl& control);
+  MethodRun(const MethodRun&) = delete;
+  MethodRun& operator=(const MethodRun&) = delete;
 
   /// Takes steps until t in s is reached, but at most `most`. Throws MotionError.
   void advance(double t, std::size_t most);
