@@ -61,8 +61,9 @@ void require_one_motion(const scene::Scene& scene, const std::string& name) {
   }
 }
 
+/// Whether the first row has noise that its digits do not explain.
 bool is_first_row_noisy(const check::Judgement& judgement) {
-  return judgement.noise.rate > 0 || judgement.noise.attitude > 0;
+  return !judgement.within_digits && (judgement.noise.rate > 0 || judgement.noise.attitude > 0);
 }
 
 /// Whether the errors are noise, rather than those of an integrator, which grow: a fit would
