@@ -34,6 +34,7 @@ autodoc_type_aliases = {
         "ContainerName",
         "EffortName",
         "FeatureName",
+        "ForceName",
         "FrameSource",
         "FrameName",
         "MaterialName",

@@ -70,6 +70,7 @@ std::map<std::string, std::vector<std::string>> names_of_values() {
           {"FrameName", enumerator_names<scene::Frame>()},
           {"ViewName", enumerator_names<scene::View>()},
           {"FeatureName", enumerator_names<scene::Feature>()},
+          {"ForceName", enumerator_names<scene::Force>()},
           {"ShapeName", enumerator_names<scene::Equimomental>()}};
 }
 

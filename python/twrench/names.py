@@ -54,6 +54,7 @@ FeatureName = Literal[
     "tilt",
     "moments",
 ]
+ForceName = Literal["centrifugal", "coriolis", "euler", "constraint", "sum"]
 #: A rate: a number, or a fraction such as ``"30000/1001"``.
 Rate = Union[float, str, Fraction]
 ShapeName = Literal["box", "ellipsoid", "cross"]

@@ -39,6 +39,7 @@ from .names import (
     EffortName,
     ExportFormat,
     FeatureName,
+    ForceName,
     FrameName,
     LanguageName,
     MaterialName,
@@ -256,6 +257,7 @@ class Scene:
     view = _Value[ViewName]()
     show = _Value[tuple[FeatureName, ...]]()
     stress = _Value[Optional[tuple[FeatureName, ...]]]()
+    forces = _Value[Optional[tuple[ForceName, ...]]]()
     compare = _Value[tuple[MethodName, ...]]()
     compare_omega = _Value[Optional[tuple[Vector, ...]]]()
     compare_wheel = _Value[Optional[tuple[Vector, ...]]]()
@@ -310,6 +312,7 @@ class Scene:
         view: ViewName = UNSET,
         show: Collection[FeatureName] = UNSET,
         stress: Collection[FeatureName] = UNSET,
+        forces: Collection[ForceName] = UNSET,
         compare: Sequence[MethodName] = UNSET,
         compare_omega: Rows = UNSET,
         compare_wheel: Rows = UNSET,

@@ -44,9 +44,10 @@ ordered_json to_json(const SoundFile& sound) {
 
 ordered_json to_json(const Color& color) { return to_string(color); }
 
-ordered_json to_json(const std::set<Feature>& features) {
+template <typename Enumeration>
+ordered_json to_json(const std::set<Enumeration>& values) {
   ordered_json names = ordered_json::array();
-  for (const Feature feature : features) names.push_back(enumerator_name(feature));
+  for (const Enumeration value : values) names.push_back(enumerator_name(value));
   return names;
 }
 
@@ -129,6 +130,16 @@ Field or_nothing(Field field) {
   field.get = [get = std::move(field.get)](const Scene& scene) {
     ordered_json value = get(scene);
     return value.empty() ? ordered_json() : value;
+  };
+  return field;
+}
+
+/// Makes the field report a list of all names as a value that the scene does not set.
+Field or_all(Field field) {
+  const std::size_t all = field.form.names.size();
+  field.get = [get = std::move(field.get), all](const Scene& scene) {
+    ordered_json value = get(scene);
+    return value.size() == all ? ordered_json() : value;
   };
   return field;
 }
@@ -315,12 +326,13 @@ auto compared_methods() {
                     }};
 }
 
-auto features() {
-  return Conversion{{.names = enumerator_names<Feature>()},
+template <typename Enumeration>
+auto set_of() {
+  return Conversion{{.names = enumerator_names<Enumeration>()},
                     [](const Texts& names, const std::string& what) {
-                      std::set<Feature> result;
+                      std::set<Enumeration> result;
                       for (const std::string& name : names) {
-                        result.insert(find_enumerator<Feature>(name, what));
+                        result.insert(find_enumerator<Enumeration>(name, what));
                       }
                       return result;
                     }};
@@ -447,12 +459,15 @@ const std::vector<Field>& fields() {
       choice<View>(
           {"overlay", "view", "NAME", "view"}, [](auto& s) -> auto& { return s.overlay.view; }),
       complete<texts>(
-          {"overlay", "show", "LIST", "overlays that are shown"}, features(),
+          {"overlay", "show", "LIST", "overlays that are shown"}, set_of<Feature>(),
           [](auto& s) -> auto& { return s.overlay.show; }),
       or_nothing(complete<texts>(
           {"overlay", "stress", "LIST",
            "overlays that are drawn stronger; everything else is dimmer", "nothing"},
-          features(), [](auto& s) -> auto& { return s.overlay.stress; })),
+          set_of<Feature>(), [](auto& s) -> auto& { return s.overlay.stress; })),
+      or_all(complete<texts>(
+          {"overlay", "forces", "LIST", "forces that the overlays forces and tip draw", "all"},
+          set_of<Force>(), [](auto& s) -> auto& { return s.overlay.forces; })),
       complete<texts>(
           {"overlay", "compare", "M1,M2,...", "show up to four methods side by side",
            "the motion's method"},

@@ -221,6 +221,15 @@ enum class Feature {
   moments,     ///< The principal moments as bars.
 };
 
+/// A force by which an observer in a frame of reference explains the motion.
+enum class Force {
+  centrifugal,  ///< Away from the axis about which the frame turns.
+  coriolis,     ///< On what moves in a frame that turns.
+  euler,        ///< In a frame that turns at a changing rate.
+  constraint,   ///< What holds a part at its place in the body.
+  sum,          ///< The sum of the forces on the tip of an axis.
+};
+
 /// The main content of the picture: the body, the momentum sphere, Poinsot's construction, or all
 /// three with the components.
 enum class View { wrench, momentum, poinsot, quad };
@@ -251,6 +260,9 @@ struct Overlay {
                          Feature::labels, Feature::hud,      Feature::sphere, Feature::curve};
   /// The features to stress, by dimming everything else; empty stresses nothing.
   std::set<Feature> stress;
+  /// The forces that Feature::forces and Feature::tip draw, if their frame has them.
+  std::set<Force> forces{Force::centrifugal, Force::coriolis, Force::euler, Force::constraint,
+                         Force::sum};
   /// Names of the methods shown side by side; empty shows only Motion::method.
   std::vector<std::string> compare;
   /// Initial angular velocities in body axes, in rad/s, of the motions shown side by side; empty

@@ -44,7 +44,7 @@ def test_every_key_of_a_scene_file_is_an_attribute_and_can_be_set():
         "color": "#ff8800", "metallic": 0.25, "roughness": 0.5, "azimuth": 0.5, "elevation": 0.1,
         "distance": 1.5, "orbit": 0.1, "field_of_view": 0.7, "view": "quad",
         "camera_frame": "body",
-        "show": ("floor", "axes"), "stress": ("axes",), "compare": ("rk4", "exact"),
+        "show": ("floor", "axes"), "stress": ("axes",), "forces": ("coriolis",), "compare": ("rk4", "exact"),
         "compare_omega": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.5)),
         "compare_wheel": ((0.0, 0.0, 0.0), (0.0, 20.0, 0.0)), "trail_point": (1.0, 2.0, 3.0),
         "trail_length": 5.0, "star_trail": 1.5, "font": "mono",

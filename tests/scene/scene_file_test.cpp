@@ -172,6 +172,7 @@ field_of_view = 0.4
 [overlay]
 view = "quad"
 show = ["axes", "plane"]
+forces = ["coriolis", "sum"]
 compare = ["rk4", "exact"]
 trail_point = [1, 2, 3]
 trail_length = 7
@@ -213,6 +214,7 @@ TEST(SceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.camera.field_of_view, 0.4);
   EXPECT_EQ(scene.overlay.view, View::quad);
   EXPECT_EQ(scene.overlay.show, (std::set{Feature::axes, Feature::plane}));
+  EXPECT_EQ(scene.overlay.forces, (std::set{Force::coriolis, Force::sum}));
   EXPECT_EQ(scene.overlay.compare, (std::vector<std::string>{"rk4", "exact"}));
   EXPECT_EQ(scene.overlay.trail_point, Vector3d(1, 2, 3));
   EXPECT_EQ(scene.overlay.trail_length, 7);

@@ -58,16 +58,16 @@ ForceLegend::ForceLegend(const scene::Scene& scene, const Layout& layout, const 
   const auto line = [&](const scene::Phrase& phrase) {
     return canvas::typeset(font, phrase.in(scene.language));
   };
-  const auto add = [&](const scene::Phrase& name, const Color& color) {
-    row.push_back({line(name), color, true});
-  };
-  const bool has_tip = scene.overlay.shows(scene::Feature::tip);
-  const std::vector<Force> of_tip{Force::centrifugal, Force::coriolis};
-  const bool has_parts = scene.overlay.shows(scene::Feature::forces);
-  for (const Force force : has_parts ? forces_in(scene.camera.frame) : of_tip) {
-    add(name_of(force), color_of(force, style.colors));
+  std::vector<Force> forces;
+  if (scene.overlay.shows(scene::Feature::forces)) forces = forces_in(scene.camera.frame);
+  if (scene.overlay.shows(scene::Feature::tip)) {
+    for (const Force force : forces_on_tip()) {
+      if (std::ranges::find(forces, force) == forces.end()) forces.push_back(force);
+    }
   }
-  if (has_tip) add({"sum", "sum"}, color_of_sum(style.colors));
+  for (const Force force : shown_forces(scene.overlay, forces)) {
+    row.push_back({line(name_of(force)), color_of(force, style.colors), true});
+  }
   row.push_back({line(heading(scene.camera.frame)), style.colors.text, false});
   const image::Area& area = *layout.forces;
   const double size = layout.text.readout;

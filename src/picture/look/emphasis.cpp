@@ -29,8 +29,9 @@ OverlayColors emphasised(OverlayColors colors, const scene::Overlay& overlay) {
   const auto dim = [&](scene::Feature feature, Color& color) {
     if (is_dimmed(overlay, feature)) color = dimmed(color, colors);
   };
-  // All members, so that a new one is not forgotten.
-  auto& [text, secondary, panel, opacity, axes, momentum, omega, trail, plane, curves] = colors;
+  // All members, so that a new one is not forgotten. The overlays that draw forces dim them.
+  auto& [text, secondary, panel, opacity, axes, momentum, omega, forces, trail, plane, curves] =
+      colors;
   for (Color& axis : axes) dim(scene::Feature::axes, axis);
   dim(scene::Feature::momentum, momentum);
   dim(scene::Feature::omega, omega);

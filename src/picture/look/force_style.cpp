@@ -1,6 +1,8 @@
 #include "picture/look/force_style.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace twrench::picture {
 
@@ -12,25 +14,44 @@ const std::vector<Force>& forces_in(scene::Frame frame) {
   return forces[static_cast<std::size_t>(frame)];
 }
 
+std::vector<Force> shown_forces(const scene::Overlay& overlay, const std::vector<Force>& forces) {
+  std::vector<Force> shown;
+  std::ranges::copy_if(forces, std::back_inserter(shown),
+                       [&](Force force) { return overlay.forces.contains(force); });
+  return shown;
+}
+
+const std::vector<Force>& forces_on_tip() {
+  static const std::vector forces{Force::centrifugal, Force::coriolis, Force::sum};
+  return forces;
+}
+
 const scene::Phrase& name_of(Force force) {
-  static constexpr std::array<scene::Phrase, 4> names{{{"centrifugal", "sentrifugal"},
+  static constexpr std::array<scene::Phrase, 5> names{{{"centrifugal", "sentrifugal"},
                                                        {"Coriolis", "Coriolis"},
                                                        {"Euler", "Euler"},
-                                                       {"what holds it", "det som holder"}}};
+                                                       {"what holds it", "det som holder"},
+                                                       {"sum", "sum"}}};
   return names.at(static_cast<std::size_t>(force));
 }
 
 Color color_of(Force force, const OverlayColors& colors) {
-  // The axes' colours are distinguishable with every type of colour vision, and forces are seldom
-  // shown together with the axes.
-  if (force == Force::constraint) return colors.dim;
-  return colors.axis[static_cast<std::size_t>(force)];
+  switch (force) {
+    case Force::centrifugal:
+    case Force::coriolis:
+    case Force::euler:
+      return colors.force.at(static_cast<std::size_t>(force));
+    case Force::constraint:
+      return colors.dim;
+    case Force::sum:
+      return colors.text;
+  }
+  return {};
 }
 
-Color color_of_sum(const OverlayColors& colors) { return colors.omega; }
+// The centrifugal force tilts a body further; the Euler force is not shown together with torques.
+Color color_of_further(const OverlayColors& colors) { return colors.force[0]; }
 
-Color color_of_further(const OverlayColors& colors) { return colors.axis[0]; }
-
-Color color_of_back(const OverlayColors& colors) { return colors.axis[2]; }
+Color color_of_back(const OverlayColors& colors) { return colors.force[2]; }
 
 }  // namespace twrench::picture

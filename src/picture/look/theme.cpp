@@ -32,7 +32,9 @@ std::array<Color, 9> curves(const std::array<Color, 3>& axis, const Color& end) 
 // The distinguishing colours started as those of Okabe and Ito ("Color Universal Design", 2008).
 // Subject to the contrast that text needs on a panel over any background, they were moved to
 // maximise the smallest difference between any two for normal, protan, deutan and tritan vision
-// (Machado et al. 2009), also where an arrow is in shade, at 0.65 of its colour.
+// (Machado et al. 2009), also where an arrow is in shade, at 0.65 of its colour. Those of the
+// forces differ from one another in the same way, and from those of the axes at least for normal
+// vision.
 
 OverlayColors on_dark() {
   const std::array<Color, 3> axis{{{243, 82, 49}, {0, 248, 151}, {118, 124, 255}}};
@@ -43,6 +45,7 @@ OverlayColors on_dark() {
           .axis = axis,
           .momentum = {255, 216, 39},
           .omega = {247, 120, 201},
+          .force = {{{51, 204, 255}, {210, 138, 40}, {204, 85, 255}}},
           .trail = {255, 255, 255},
           .plane = {116, 126, 132},
           .curve = curves(axis, {255, 255, 255})};
@@ -57,6 +60,7 @@ OverlayColors on_white() {
           .axis = axis,
           .momentum = {114, 0, 0},
           .omega = {143, 56, 178},
+          .force = {{{0, 102, 187}, {153, 85, 34}, {85, 0, 102}}},
           .trail = {0, 0, 0},
           .plane = {76, 58, 103},
           .curve = curves(axis, {0, 0, 0})};

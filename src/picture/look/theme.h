@@ -26,6 +26,8 @@ struct OverlayColors {
   Color momentum;
   /// The angular velocity.
   Color omega;
+  /// The centrifugal, the Coriolis and the Euler force.
+  std::array<Color, 3> force;
   /// The trail of a point.
   Color trail;
   /// The invariable plane.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "picture/look/emphasis.h"
-#include "picture/look/force_style.h"
 #include "picture/overlay/track.h"
 #include "scene/reference_frame.h"
 
@@ -13,8 +12,9 @@ namespace {
 using Eigen::Vector3d;
 
 // As multiples of the bounding radius.
-constexpr double tip_distance = 1.2, longest_at_tip = 0.7, shortest_at_tip = 0.02,
-                 tip_force_shaft = 0.016, axis_shaft = 0.009, path_width = 0.02, up_dot = 0.016;
+constexpr double tip_distance = 1.2, longest_at_tip = 0.7, least_at_tip = 0.2,
+                 shortest_at_tip = 0.02, tip_force_shaft = 0.016, axis_shaft = 0.009,
+                 path_width = 0.02, up_dot = 0.016;
 
 constexpr double sum_width = 1.7;  // in shafts of the others: it may lie on one of them
 
@@ -22,23 +22,27 @@ constexpr double sum_width = 1.7;  // in shafts of the others: it may lie on one
 
 AxisTip::AxisTip(const scene::Scene& scene, const timeline::Solution& solution, double radius)
     : forces_(solution.body),
+      shown_(shown_forces(scene.overlay, forces_on_tip())),
       colors_(style_of(scene.look.theme).overlay),
       is_dimmed_(is_dimmed(scene.overlay, scene::Feature::tip)),
       thickness_(thickness_of(scene.overlay, scene::Feature::tip)),
       trail_length_(timeline::trail_length(scene)),
       radius_(radius),
       up_(solution.body.momentum().stableNormalized()) {
-  constexpr std::size_t stride = 4;  // of the samples, which are finer than needed here
-  double strongest = 0;
+  constexpr std::size_t stride = 4;    // of the samples, which are finer than needed here
+  double strongest = 0, farthest = 0;  // farthest: of the tip from L, as a fraction of its distance
   for (const motion::Sample& sample : solution.whole) {
     const auto [centrifugal, coriolis] = forces_.at(sample);
     strongest =
         std::max({strongest, centrifugal.norm(), coriolis.norm(), (centrifugal + coriolis).norm()});
+    farthest = std::max(farthest, (sample.X * forces_.axis() - up_).norm());
   }
   const double momentum = solution.body.momentum().norm();
   constexpr double rounding = 1e-12;  // of the forces at a large tilt
   if (strongest > rounding * momentum * momentum / solution.body.principal().moments[0]) {
-    scale_ = longest_at_tip * radius * distance() / strongest;
+    const double longest =
+        std::clamp(farthest * distance(), least_at_tip * radius, longest_at_tip * radius);
+    scale_ = longest * distance() / strongest;
   }
   for (std::size_t i = 0; i < solution.whole.size(); i += stride) {
     const motion::Sample& sample = solution.whole[i];
@@ -64,17 +68,18 @@ void AxisTip::draw(const timeline::SolutionState& instant, DrawList& opaque,
     return distance() * (sample.X * forces_.axis());
   };
   const Vector3d tip = tip_at(instant.sample);
-  opaque.arrow(Vector3d::Zero(), tip, axis_shaft * radius_, {shown(colors_.text)});
+  opaque.arrow(Vector3d::Zero(), tip, axis_shaft * radius_, {shown(colors_.dim)});
   const auto [centrifugal, coriolis] = forces_.at(instant.sample);
   const double shaft = tip_force_shaft * thickness_ * radius_;
-  const auto add = [&](const Vector3d& force, const Color& color, double width) {
+  for (const Force kind : shown_) {
+    const Vector3d force = kind == Force::centrifugal ? centrifugal
+                           : kind == Force::coriolis  ? coriolis
+                                                      : Vector3d(centrifugal + coriolis);
     const Vector3d arrow = scale_ / distance() * (instant.sample.X * force);
-    if (arrow.norm() < shortest_at_tip * radius_) return;
-    opaque.arrow(tip, tip + arrow, width, {shown(color)});
-  };
-  add(centrifugal, color_of(Force::centrifugal, colors_), shaft);
-  add(coriolis, color_of(Force::coriolis, colors_), shaft);
-  add(centrifugal + coriolis, color_of_sum(colors_), sum_width * shaft);
+    if (arrow.norm() < shortest_at_tip * radius_) continue;
+    opaque.arrow(tip, tip + arrow, kind == Force::sum ? sum_width * shaft : shaft,
+                 {shown(color_of(kind, colors_))});
+  }
   const Vector3d up = distance() * up_;
   translucent.dot(up, up_dot * radius_ * translucent.pixels(up), {shown(colors_.momentum)});
   draw_track(

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "picture/look/theme.h"
+#include "picture/look/force_style.h"
 #include "picture/overlay/draw_list.h"
 #include "timeline/timeline.h"
 #include "timeline/tip_forces.h"
@@ -12,8 +12,9 @@ namespace twrench::picture {
 
 /// The principal axis about which the body rotates, with the path of its tip and the forces on it
 /// (timeline::TipForces): the centrifugal and the Coriolis force and, thicker, their sum, as arrows
-/// that explain why the path stays near L or runs away. All arrows of a pane have one scale. A dot
-/// marks the direction of L at the tip's distance.
+/// that explain why the path stays near L or runs away. All arrows of a pane have one scale, at
+/// which an arrow towards L does not reach beyond it unless the path stays very close. A dot marks
+/// the direction of L at the tip's distance.
 class AxisTip {
  public:
   /// `radius` is the bounding radius of the body in every pose, in cm.
@@ -34,6 +35,7 @@ class AxisTip {
 
  private:
   timeline::TipForces forces_;
+  std::vector<Force> shown_;
   OverlayColors colors_;
   bool is_dimmed_;
   double thickness_;

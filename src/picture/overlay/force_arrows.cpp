@@ -49,6 +49,7 @@ ForceArrows::ForceArrows(const scene::Scene& scene, const timeline::Solution& so
       is_dimmed_(is_dimmed(scene.overlay, scene::Feature::forces)),
       shaft_(force_shaft * thickness_of(scene.overlay, scene::Feature::forces)),
       frame_(scene.camera.frame),
+      forces_(shown_forces(scene.overlay, forces_in(frame_))),
       body_(solution.body),
       radius_(radius) {
   for (const body::Part& part : scene::visible_parts(scene.body)) {
@@ -83,7 +84,7 @@ void ForceArrows::visit(const motion::RotatingFrame& frame, const motion::Sample
   const motion::FrameForces forces(frame, body_, sample);
   for (const auto& [point, start, clearance] : points_) {
     const motion::PointForces on = forces.on(point.mass, point.position);
-    for (const Force kind : forces_in(frame_)) {
+    for (const Force kind : forces_) {
       const Vector3d force = frame.attitude * force_of(on, kind);
       visit(sample.X * start + clearance * force.stableNormalized(), force, kind);
     }

@@ -46,6 +46,7 @@ class ForceArrows {
   bool is_dimmed_;
   double shaft_;  ///< In radii.
   scene::Frame frame_;
+  std::vector<Force> forces_;
   motion::FreeBody body_;
   double radius_;
   std::vector<Point> points_;

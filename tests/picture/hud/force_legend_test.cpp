@@ -52,8 +52,20 @@ TEST(ForceLegend, HasTheColoursOfTheForcesOnTheTip) {
   ASSERT_EQ(layers.size(), 1U);
   EXPECT_TRUE(has(layers[0], color_of(Force::centrifugal, all.colors)));
   EXPECT_TRUE(has(layers[0], color_of(Force::coriolis, all.colors)));
-  EXPECT_TRUE(has(layers[0], color_of_sum(all.colors)));
+  EXPECT_TRUE(has(layers[0], color_of(Force::sum, all.colors)));
   EXPECT_FALSE(has(layers[0], color_of(Force::constraint, all.colors)));
+}
+
+TEST(ForceLegend, HasOnlyTheForcesThatTheSceneShows) {
+  scene::Scene scene = film_of(1280, 720);
+  scene.overlay.show = {scene::Feature::tip};
+  scene.overlay.forces = {Force::coriolis, Force::euler};
+  scene.camera.frame = scene::Frame::rotating;
+  const OverlayScene all(scene);
+  const auto layers = legend_of(all);
+  ASSERT_EQ(layers.size(), 1U);
+  EXPECT_TRUE(has(layers[0], color_of(Force::coriolis, all.colors)));
+  EXPECT_FALSE(has(layers[0], color_of(Force::centrifugal, all.colors)));
 }
 
 TEST(ForceLegend, StaysInItsRow) {

@@ -49,9 +49,15 @@ std::vector<Color> named(const OverlayColors& c) {
 /// Returns the colours of the overlays about the body, which must be distinguishable. A new colour
 /// of OverlayColors must be among them or be named here.
 std::vector<Color> told_apart(const OverlayColors& colors) {
-  const auto& [text, dim, panel, panel_opacity, axis, momentum, omega, trail, plane, curve] =
+  const auto& [text, dim, panel, panel_opacity, axis, momentum, omega, force, trail, plane, curve] =
       colors;
   return {axis[0], axis[1], axis[2], momentum, omega, trail, plane};
+}
+
+/// The colours of the overlays that show forces.
+std::vector<Color> beside_forces(const OverlayColors& colors) {
+  const auto& force = colors.force;
+  return {force[0], force[1], force[2], colors.momentum, colors.trail};
 }
 
 class ThemeTest : public testing::TestWithParam<scene::Theme> {
@@ -74,6 +80,7 @@ TEST_P(ThemeTest, HasTextThatCanBeReadOnAPanelOverAnything) {
   std::vector<Color> texts = named(colors);
   texts.insert(texts.end(), {colors.text, colors.dim});
   texts.insert(texts.end(), colors.curve.begin(), colors.curve.end());  // their names
+  texts.insert(texts.end(), colors.force.begin(), colors.force.end());
   for (const Color& ground : any_ground(style)) {
     for (const Color& text : texts) {
       EXPECT_GE(contrast(text, panel_on(colors, ground)), 4.5)
@@ -92,6 +99,22 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
   for (std::size_t i = 0; i < 9; ++i) {
     for (std::size_t j = i - i % 3; j < i; ++j) {
       EXPECT_GE(distance(colors.curve[i], colors.curve[j]), 20) << "curves " << i << " and " << j;
+    }
+  }
+}
+
+// A colour never stands for an axis in one picture and for a force in another.
+TEST_P(ThemeTest, HasColoursOfForcesThatAreNotThoseOfAxes) {
+  const std::vector<Color> told = beside_forces(colors);
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_GE(distance(told[i], told[j]), 20) << to_string(told[i]) << " " << to_string(told[j]);
+    }
+  }
+  for (const Color& force : colors.force) {
+    for (const Color& axis : colors.axis) {
+      EXPECT_GE((lab(linear(force)) - lab(linear(axis))).norm(), 30)
+          << to_string(force) << " " << to_string(axis);
     }
   }
 }
