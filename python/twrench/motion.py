@@ -474,7 +474,7 @@ class ExactMotion:
 
     @property
     def turns_over(self) -> bool:
-        """Whether the intermediate axis swings through at least a right angle."""
+        """Whether the intermediate axis swings through at least 120 degrees."""
         flips = self._native.flips
         return flips is not None and flips.turns_over
 

@@ -164,10 +164,10 @@ void add_exact_motion(Section& section, Language language, Citations& citations)
           R"(\sin \frac{\theta_s}{2} = \frac{I_2 A}{G})",
       Phrase("The first flip, and the swing θ with the index s: the angle through which the "
              "intermediate axis swings from one side of the plane normal to L to the other. The "
-             "body turns over if the swing exceeds a right angle; otherwise it wobbles.",
+             "body turns over if the swing is at least 120 degrees; otherwise it wobbles.",
              "Den første vendingen, og utslaget θ med indeksen s: vinkelen som den midterste aksen "
              "svinger gjennom fra den ene siden av planet normalt på L til den andre. Legemet snur "
-             "hvis utslaget er større enn en rett vinkel; ellers slingrer det.")
+             "hvis utslaget er minst 120 grader; ellers slingrer det.")
           .in(language)});
 }
 

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "sanitizers.h"
+#include "scene/motion_summary.h"
 #include "scene/scene.h"
 
 namespace twrench::scene {
@@ -84,6 +85,9 @@ TEST(Zoo, ToutatisHasThePeriodsAndTheMomentsOfTheAsteroid) {
   const double rotation = 2.0 * exact.flips()->interval;
   EXPECT_NEAR(rotation / day, 5.41, 1e-5);
   EXPECT_NEAR(precession_period(scene, Vector3d::UnitY(), 10.0 * rotation) / day, 7.35, 1e-4);
+  EXPECT_FALSE(exact.flips()->turns_over());
+  EXPECT_EQ(motion_summary(scene),
+            "wobbles about y every 5.41 d; moments 1 : 3.13 : 3.29; does not flip");
 }
 
 // Bollay's case study gives 750 turns a minute about the long axis, and an orbit of 114.8 min until

@@ -112,7 +112,7 @@ bool turns_over(const motion::FreeBody& body) {
     high = std::max(high, std::clamp(mu[1], -1.0, 1.0));
   }
   const double swing = std::acos(low) - std::acos(high);
-  return swing >= std::numbers::pi / 2 && low < wheel && wheel < high;
+  return swing >= motion::ExactMotion::Flips::least_swing && low < wheel && wheel < high;
 }
 
 }  // namespace twrench::page

@@ -124,7 +124,7 @@ std::unique_ptr<picture::SolutionView> make_inset(const Motion& motion, const Se
 /// The times at which the arrows must be in view of a camera that turns with a frame.
 std::vector<double> framed_times(const Motion& motion, double trail_length) {
   const auto flips = motion.exact ? motion.exact->flips() : std::nullopt;
-  const bool turns_over = flips && flips->swing >= std::numbers::pi / 2;
+  const bool turns_over = flips && flips->turns_over();
   const bool is_short = turns_over && std::isfinite(flips->interval);
   const double end = is_short ? 2 * flips->interval : 8 * trail_length;
   return evenly_spaced(0, motion.exact ? end : std::min(end, motion.integrated->longest()), 720);

@@ -91,9 +91,13 @@ class ExactMotion {
     /// The complementary parameter 1 - k^2 of these functions, from 0 (the separatrix) to below 1.
     double mc;
 
-    /// Returns whether the intermediate axis swings through at least a right angle: only then does
-    /// the body turn over rather than wobble.
-    bool turns_over() const { return swing >= std::numbers::pi / 2; }
+    /// The least swing in rad of a body that turns over: the intermediate axis comes within 30
+    /// degrees of L and of the opposite direction. With less, as of a tumbling asteroid, the body
+    /// wobbles about an outer axis.
+    static constexpr double least_swing = 2 * std::numbers::pi / 3;
+
+    /// Returns whether the body turns over rather than wobbles.
+    bool turns_over() const { return swing >= least_swing; }
   };
   /// Returns the flips; nothing for steady motion or for a body with two equal moments, to 1e-4,
   /// which has no intermediate axis.
