@@ -68,6 +68,12 @@ double Tilt::of(const Sample& sample) const {
   return std::atan2(across, std::abs(m[axis_]));
 }
 
+double Tilt::from_start(const Sample& sample) const {
+  const double acute = of(sample);
+  const bool is_over = momentum(sample)[axis_] * start_[axis_] < 0;
+  return is_over ? std::numbers::pi - acute : acute;
+}
+
 Vector3d Tilt::direction(const Sample& sample) const {
   const Vector3d m = momentum(sample);
   const Vector3d nearer_end = std::copysign(1.0, m[axis_]) * Vector3d::Unit(axis_);

@@ -123,6 +123,8 @@ TEST(Tilt, IsTheAngleToEitherEndOfTheAxis) {
     EXPECT_NEAR(std::cos(tilt.of(sample)), cosine, 1e-12) << t;
   }
   EXPECT_NEAR(tilt.of(motion.at(2 * flips->first)), tilt.of(motion.at(0)), 1e-9) << "the other end";
+  EXPECT_EQ(tilt.from_start(motion.at(0)), tilt.of(motion.at(0)));
+  EXPECT_NEAR(tilt.from_start(motion.at(2 * flips->first)), pi - tilt.of(motion.at(0)), 1e-9);
 }
 
 TEST(Tilt, GrowsWhereTheBodyTurnsInItsDirection) {

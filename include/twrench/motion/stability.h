@@ -61,6 +61,10 @@ class Tilt {
   /// unless that of the sample is finite.
   double of(const Sample& sample) const;
 
+  /// Returns the angle in rad, from 0 to pi, between L and the direction of the axis that was
+  /// nearest to L at t = 0; beyond pi/2 the body has turned over. Throws as of() does.
+  double from_start(const Sample& sample) const;
+
   /// Returns the unit vector in body axes about which the body must turn, right-handed, to tilt
   /// further; 0 if it is not tilted. Throws as of() does.
   Eigen::Vector3d direction(const Sample& sample) const;

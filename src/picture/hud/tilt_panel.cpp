@@ -19,7 +19,7 @@ namespace {
 using Point = canvas::Canvas::Point;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double greatest_tilt = std::numbers::pi / 2;
+constexpr double greatest_tilt = std::numbers::pi;
 constexpr double faint_future = 0.5, grid_opacity = 0.22;
 constexpr double dash_em = 0.55;      // length of a dash, and of the gap between two
 constexpr double scale_em = 2.6;      // width of the scale's numbers
@@ -93,7 +93,7 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
   canvas::Canvas past(past_.image, past_.x, past_.y);
   std::vector<Point> points;
   for (const motion::Sample& sample : solutions[0].whole) {
-    points.push_back(place(sample.t, tilt_.of(sample)));
+    points.push_back(place(sample.t, tilt_.from_start(sample)));
   }
   past.polyline(points, thickness_, {colors.text});
   draw_prediction(future, faint_future);
@@ -118,7 +118,7 @@ Point TiltPanel::place(double time, double tilt) const {
   return {plot_.x + time / duration_ * plot_.width, plot_.y + height * plot_.height};
 }
 
-/// Draws a line and a number for each decade, as far as there is room, and for 90 degrees.
+/// Draws a line and a number for each decade, as far as there is room, and for 180 degrees.
 void TiltPanel::draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typeface) const {
   const auto line = [&](double tilt, const std::string& text) {
     const double y = std::round(place(0, tilt).y);
@@ -127,7 +127,7 @@ void TiltPanel::draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typef
                 {plot_.x - 0.4 * size_, y + 0.35 * size_}, {colors_.dim},
                 canvas::Canvas::Align::right);
   };
-  line(greatest_tilt, "90°");
+  line(greatest_tilt, "180°");
   const auto decades = static_cast<int>(std::lround(std::log10(10 * degree / least_)));
   const double apart = place(0, degree).y - place(0, 10 * degree).y;
   const int every = std::max(1, static_cast<int>(std::ceil(1.2 * size_ / apart)));
@@ -143,7 +143,7 @@ std::vector<TiltPanel::Mark> TiltPanel::marks_of(const std::vector<motion::Sampl
                                                  double factor) const {
   std::vector<Mark> marks;
   const auto value = [&](const motion::Sample& sample) {
-    return std::max(tilt_.of(sample), least_);
+    return std::max(tilt_.from_start(sample), least_);
   };
   double level = factor * value(whole.front());
   for (std::size_t i = 1; i < whole.size(); ++i) {
@@ -209,7 +209,7 @@ void TiltPanel::draw_prediction(canvas::Canvas& canvas, double opacity) const {
 std::vector<Layer> TiltPanel::draw(const timeline::FrameState& state) {
   Layer layer = future_;
   const motion::Sample& sample = state.solutions[0].sample;
-  const double tilt = tilt_.of(sample);
+  const double tilt = tilt_.from_start(sample);
   const Point now = place(std::clamp(sample.t, 0.0, duration_), tilt);
   const int margin = static_cast<int>(std::ceil(thickness_));  // of the curve beyond the plot
   const int left = plot_.x - margin;

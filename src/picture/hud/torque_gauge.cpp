@@ -23,6 +23,7 @@ constexpr double heading_line = 0.75, gauge_top = 1.25, gauge_thickness = 0.6,
                  marker_overhang = 0.15, side_gap = 0.4;
 constexpr double gauge_margin = 1.04;  // the largest torque is inside the bar
 constexpr double empty_opacity = 0.3;
+constexpr double unit_width = 0.4;  // of the bar
 
 }  // namespace
 
@@ -57,7 +58,10 @@ TorqueGauge::TorqueGauge(const scene::Scene& scene,
   write(scene::Phrase("tilts further", "tipper videre").in(scene.language), right, line,
         color_of_further(colors), Align::right);
   const std::string power = exponent_ == 0 ? "" : hud_text::setting(std::pow(10, exponent_)) + " ";
-  write(power + "dyn cm", area.x + area.width / 2.0, value_line_, colors.dim, Align::centre);
+  const std::string unit =
+      scene::Phrase("torque, {}dyn cm", "dreiemoment, {}dyn cm").in(scene.language, power);
+  canvas.text(canvas::typeset_within(typeface.regular, unit, unit_width * area.width / size_),
+              size_, {area.x + area.width / 2.0, line}, {colors.dim}, Align::centre);
   canvas.rectangle(bar_.x, bar_.y, bar_.width, bar_.height, {colors.dim, empty_opacity});
 }
 
@@ -89,6 +93,9 @@ std::vector<Layer> TorqueGauge::draw(const timeline::FrameState& state) {
                   {colors_.panel});
   canvas.polyline(std::array{Point{x, top}, Point{x, bottom}}, 0.5 * marker_width * size_,
                   {colors_.text});
+  const std::string sum = "sum " + text(sides.sum());  // so in both languages
+  canvas.text(canvas::typeset(typeface_.regular, sum), size_, {place(0), value_line_},
+              {colors_.text}, Align::centre);
   std::vector<Layer> layers;
   layers.push_back(std::move(layer));
   return layers;
