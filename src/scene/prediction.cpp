@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "base/time_unit.h"
 #include "scene/phrase.h"
 
@@ -21,6 +23,12 @@ Eigen::Vector3d named_axis(const Eigen::Matrix3d& axes, int axis) {
   const double most = axes.col(axis).cwiseAbs().maxCoeff(&nearest);
   if (most > along) return Eigen::Vector3d::Unit(nearest);
   return axes.col(axis);
+}
+
+std::string rank_name(std::size_t rank, Language language) {
+  static constexpr std::array<Phrase, 3> names{
+      {{"least", "minste"}, {"middle", "midterste"}, {"greatest", "største"}}};
+  return names.at(rank).in(language);
 }
 
 std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,

@@ -3,6 +3,7 @@
 #include <twrench/body/mass_properties.h>
 #include <twrench/motion/stability.h>
 
+#include <cstddef>
 #include <string>
 
 #include "scene/scene.h"
@@ -15,6 +16,10 @@ std::string axis_name(const Eigen::Matrix3d& axes, int axis);
 
 /// Returns the unit vector of that name in body axes: of x, y or z in the positive direction.
 Eigen::Vector3d named_axis(const Eigen::Matrix3d& axes, int axis);
+
+/// Returns "least", "middle" or "greatest", the name of a principal axis by the rank of its moment,
+/// from 0 to 2.
+std::string rank_name(std::size_t rank, Language language);
 
 /// Describes the effect of a small tilt on a body that rotates about a principal axis at `omega`
 /// rad/s, such as "unstable about x, doubles every 1.88 s at 1 rad/s".

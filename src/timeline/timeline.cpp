@@ -10,6 +10,7 @@
 
 #include "scene/limits.h"
 #include "scene/phrase.h"
+#include "scene/prediction.h"
 #include "study/reference.h"
 
 namespace twrench::timeline {
@@ -80,19 +81,17 @@ std::string rounded(double value) {
   return is_whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
 
-/// ", middle" if one of the moments about the body's axes is smaller than that about `axis` and the
-/// other greater, and likewise for the least and the greatest; nothing if two are equal.
+/// "middle" if one of the moments about the body's axes is smaller than that about `axis` and the
+/// other greater, and likewise for the least and the greatest; "x" if two are equal.
 std::string rank_of(Eigen::Index axis, const Eigen::Vector3d& moments, scene::Language language) {
   constexpr double equal = 1e-6;
   const double own = moments[axis];
   const auto differing = (moments.array() - own).abs() > equal * own;
-  if (differing.count() < 2) return "";
-  constexpr std::array<scene::Phrase, 3> names{
-      {{", least", ", minst"}, {", middle", ", midterst"}, {", greatest", ", størst"}}};
-  return names.at(static_cast<std::size_t>((moments.array() < own).count())).in(language);
+  if (differing.count() < 2) return std::string(1, "xyz"[axis]);
+  return scene::rank_name(static_cast<std::size_t>((moments.array() < own).count()), language);
 }
 
-/// "x, middle, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its
+/// "middle, 982 g cm²" for the body's axis that is within about 18 degrees of omega, with its
 /// moment of inertia; otherwise omega.
 std::string name_of_start(const Eigen::Vector3d& omega, const Eigen::Matrix3d& inertia,
                           scene::Language language) {
@@ -101,7 +100,7 @@ std::string name_of_start(const Eigen::Vector3d& omega, const Eigen::Matrix3d& i
   if (omega.isZero(0.0) || omega.cwiseAbs().maxCoeff(&axis) < near * omega.norm()) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g}) rad/s", omega.x(), omega.y(), omega.z());
   }
-  return fmt::format("{}{}, {} g cm²", "xyz"[axis], rank_of(axis, inertia.diagonal(), language),
+  return fmt::format("{}, {} g cm²", rank_of(axis, inertia.diagonal(), language),
                      rounded(inertia(axis, axis)));
 }
 

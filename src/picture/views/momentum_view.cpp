@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "body/equal_moments.h"
+#include "scene/prediction.h"
+
 namespace twrench::picture {
 namespace {
 
@@ -29,6 +32,11 @@ Matrix3d picture_axes(const Matrix3d& axes) {
 Vector3d eye_direction(const Vector3d& mu) {
   const Vector3d side = mu.unaryExpr([](double c) { return c < 0 ? -1.0 : 1.0; });
   return side.cwiseProduct(Vector3d(0.36, 0.80, 0.50));
+}
+
+bool has_ranks(const Vector3d& moments) {
+  return !body::are_equal_moments(moments[0], moments[1]) &&
+         !body::are_equal_moments(moments[1], moments[2]);
 }
 
 }  // namespace
@@ -70,22 +78,32 @@ std::string MomentumView::description(const timeline::Solution& solution,
   }
   if (solution.flips) {
     return level + Phrase(
-                       "Close to the bold curve this leads from one end of the {} axis to the "
+                       "Close to the bold curve this leads from one end of the middle axis to the "
                        "other: the body turns over.",
-                       "Nær den tykke kurven fører den fra den ene enden av {}-aksen til den "
-                       "andre: legemet snur.")
-                       .in(language, frame.names[1]);
+                       "Nær den tykke kurven fører den fra den ene enden av den midterste aksen "
+                       "til den andre: legemet snur.")
+                       .in(language);
+  }
+  const auto axis = static_cast<std::size_t>(frame.level->axis);
+  if (!has_ranks(solution.body.principal().moments)) {
+    return level + Phrase("It stays on one side of the body, about the {} axis.",
+                          "Den blir på én side av legemet, om {}-aksen.")
+                       .in(language, frame.names[axis]);
   }
   return level + Phrase("It stays on one side of the body, about the {} axis.",
-                        "Den blir på én side av legemet, om {}-aksen.")
-                     .in(language, frame.names[static_cast<std::size_t>(frame.level->axis)]);
+                        "Den blir på én side av legemet, om den {} aksen.")
+                     .in(language, scene::rank_name(axis, language));
 }
 
 MomentumView::MomentumView(const scene::Scene& scene,
                            const std::vector<timeline::Solution>& solutions, std::size_t solution,
                            const Layout::Pane& pane)
     : SolutionView(scene, solutions, solution, pane),
-      view_from_own_(picture_axes(frame_.axes) * frame_.axes) {
+      view_from_own_(picture_axes(frame_.axes) * frame_.axes),
+      axis_names_(frame_.names) {
+  if (has_ranks(body_.principal().moments)) {
+    for (std::size_t i = 0; i < 3; ++i) axis_names_[i] = scene::rank_name(i, scene.language);
+  }
   const Vector3d from = view_from_own_ * eye_direction(frame_.direction);
   std::vector<Vector3d> tips;
   for (int i = 0; i < 3; ++i) tips.emplace_back(named * axis_end * view_from_own_.col(i));
@@ -186,7 +204,7 @@ void MomentumView::add(const timeline::FrameState& state, ViewContents& contents
 void MomentumView::add_axis_labels(ViewContents& contents) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3d tip = axis_end * view_from_own_.col(static_cast<Eigen::Index>(i));
-    add_label(contents, frame_.names[i], tip, frame_.colors[i]);
+    add_label(contents, axis_names_[i], tip, frame_.colors[i]);
   }
 }
 

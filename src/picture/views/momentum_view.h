@@ -41,6 +41,7 @@ class MomentumView : public SolutionView {
                  DrawList& list) const;
 
   Eigen::Matrix3d view_from_own_;  ///< From coordinates along the frame's axes to the picture's.
+  std::array<std::string, 3> axis_names_;  ///< Least, middle, greatest, unless moments are equal.
   SphereCurves curves_;
   std::optional<Cap> cap_;  ///< The geometric phase, if it is shown.
 };

@@ -287,15 +287,16 @@ TEST(PhaseCap, IsDrawnOnTheSphere) {
 }
 
 TEST(MomentumDescription, IsTrueOfTheMotion) {
-  EXPECT_THAT(description({1, 2, 3}, {0.01, 1, 0}), testing::HasSubstr("y axis to the other"));
-  EXPECT_THAT(description({2, 1, 3}, {1, 0.01, 0}), testing::HasSubstr("x axis to the other"));
+  EXPECT_THAT(description({1, 2, 3}, {0.01, 1, 0}), testing::HasSubstr("middle axis to the other"));
+  EXPECT_THAT(description({2, 1, 3}, {1, 0.01, 0}), testing::HasSubstr("middle axis to the other"));
   for (const std::string& stable :
        {description({1, 2, 3}, {1, 0.01, 0}), description({1, 1, 3}, {1, 0.01, 0.3})}) {
     EXPECT_THAT(stable, testing::Not(testing::HasSubstr("turns over")));
     EXPECT_THAT(stable, testing::Not(testing::HasSubstr("bold")));
   }
-  EXPECT_THAT(description({1, 2, 3}, {1, 0.01, 0}), testing::HasSubstr("about the x axis"));
-  EXPECT_THAT(description({1, 2, 3}, {0, 0.01, 1}), testing::HasSubstr("about the z axis"));
+  EXPECT_THAT(description({1, 2, 3}, {1, 0.01, 0}), testing::HasSubstr("about the least axis"));
+  EXPECT_THAT(description({1, 2, 3}, {0, 0.01, 1}), testing::HasSubstr("about the greatest axis"));
+  EXPECT_THAT(description({1, 1, 3}, {0, 0.01, 1}), testing::HasSubstr("about the z axis"));
   EXPECT_THAT(description({2, 2, 2}, {1, 0, 0}), testing::HasSubstr("stays where it is"));
   EXPECT_THAT(description({1, 2, 3}, {0, 0, 0}), testing::HasSubstr("at rest"));
 }
