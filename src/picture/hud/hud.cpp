@@ -65,10 +65,14 @@ class Figures {
             }};
   }
   Readout next_flip(std::size_t solution) const {
+    // One digit more than the time, so that it is not the time before the flip has been counted.
+    const auto text = [resolution = resolution_ / 10, unit = unit_](double t) {
+      return hud_text::time(t, resolution, unit);
+    };
     return {phrase({"next flip", "neste vending"}), text(longest_),
-            [solution, self = *this](const timeline::FrameState& m) {
+            [solution, text, self = *this](const timeline::FrameState& m) {
               const auto& next = m.solutions[solution].next_flip;
-              return next ? self.text(*next) : self.phrase({"none", "ingen"});
+              return next ? text(*next) : self.phrase({"none", "ingen"});
             }};
   }
 
