@@ -21,12 +21,15 @@ struct Label {
   Color color;
   /// The start of the object, in pixels. Other labels avoid the line from here to the anchor.
   std::optional<Eigen::Vector2d> root = {};
+  /// Half the width of the object at its end, such as the radius of an arrow's head, in pixels.
+  double half_width = 0;
 };
 
-/// Returns the label at the end of an object that extends from `from` to `to` in space, for a
-/// camera whose picture fills `pane`; nothing if the end is outside.
+/// Returns the label at the end of an object that extends from `from` to `to` in space and is there
+/// `half_width` wide to each side, for a camera whose picture fills `pane`; nothing if the end is
+/// outside.
 std::optional<Label> label_at(const std::string& text, const Camera& camera,
                               const image::Area& pane, const Eigen::Vector3d& from,
-                              const Eigen::Vector3d& to, const Color& color);
+                              const Eigen::Vector3d& to, const Color& color, double half_width = 0);
 
 }  // namespace twrench::picture

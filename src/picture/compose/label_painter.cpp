@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 // All in em.
 constexpr double halo_width = 0.14;
 constexpr double label_distance = 0.1;     // from the named object
-constexpr double clearance = 0.45;         // between the middle of an arrow and another's name
+constexpr double clearance = 0.45;         // between the middle of a thin arrow and another's name
 constexpr double letter_height = 0.75;     // of most letters
 constexpr double unled = 0.35, led = 0.7;  // how far a label moves before a line leads to it
 constexpr double leader_width = 0.07, leader_gap = 0.1;
@@ -46,10 +46,10 @@ LabelPainter::LabelPainter(const canvas::Font& font, double size, const Color& h
 LabelPainter::Box LabelPainter::beside_objects(Box box, const std::vector<Label>& labels,
                                                const Label& own) const {
   const double air = halo_width * size_ + 1;
-  const Vector2d half =
-      Vector2d(box.width / 2 - air, letter_height * size_ / 2).array() + clearance * size_;
   for (const Label& other : labels) {
     if (&other == &own || !other.root) continue;
+    const double clear = std::max(clearance * size_, other.half_width + label_distance * size_);
+    const Vector2d half = Vector2d(box.width / 2 - air, letter_height * size_ / 2).array() + clear;
     const Vector2d way = other.anchor - *other.root;
     if (!(way.norm() > size_)) continue;  // seen end-on
     const Vector2d along = way.normalized();

@@ -163,18 +163,19 @@ std::vector<Label> BodyOverlay::labels(const timeline::SolutionState& instant, c
                                        const image::Area& pane) const {
   std::vector<Label> labels;
   if (!shows_labels_) return labels;
-  const auto add = [&](const char* text, const Vector3d& tip, const Color& color) {
-    if (auto label = label_at(text, camera, pane, Vector3d::Zero(), tip, color)) {
+  const auto add = [&](const char* text, const Vector3d& tip, const Color& color, double shaft) {
+    const double head = arrow_head_radius * shaft;
+    if (auto label = label_at(text, camera, pane, Vector3d::Zero(), tip, color, head)) {
       labels.push_back(std::move(*label));
     }
   };
   static constexpr std::array names{"x", "y", "z"};
   for (std::size_t i = 0; shows_axes_ && i < 3; ++i) {
     const Vector3d tip = axis_arrow_length() * instant.sample.X.col(static_cast<Eigen::Index>(i));
-    add(names[i], tip, colors_.axis[i]);
+    add(names[i], tip, colors_.axis[i], axis_shaft());
   }
-  if (shows_momentum_) add("L", momentum_tip(), colors_.momentum);
-  if (shows_omega_) add("ω", omega_tip(instant.sample), colors_.omega);
+  if (shows_momentum_) add("L", momentum_tip(), colors_.momentum, momentum_shaft());
+  if (shows_omega_) add("ω", omega_tip(instant.sample), colors_.omega, omega_shaft());
   return labels;
 }
 

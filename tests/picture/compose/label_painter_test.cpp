@@ -62,6 +62,13 @@ TEST_F(LabelPainterTest, KeepsALabelOffAnArrowThatItsOwnNearlyAlignsWith) {
   }
 }
 
+TEST_F(LabelPainterTest, KeepsALabelOffTheHeadOfALargeArrow) {
+  std::vector<Label> labels = labels_at(0);
+  labels[0].half_width = 2 * em;
+  const image::Area letter = area_of_letters(painter.paint(labels)[1], pink);
+  EXPECT_LE(letter.y + letter.height, 180 - 2 * em);
+}
+
 TEST_F(LabelPainterTest, MovesLabelsContinuously) {
   const auto height = [&](double angle) {
     const Layer layer = painter.paint(labels_at(angle))[1];
