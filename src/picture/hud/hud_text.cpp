@@ -79,8 +79,10 @@ std::string degrees(const motion::Sample& from, const motion::Sample& to) {
 
 std::string setting(double value) {
   const std::string text = fmt::format("{:.4g}", value);
-  return text.starts_with("1e") ? "10" + raised(std::stoi(text.substr(2))) : typographic(text);
+  return text.starts_with("1e") ? power_of_ten(std::stoi(text.substr(2))) : typographic(text);
 }
+
+std::string power_of_ten(int exponent) { return "10" + raised(exponent); }
 
 std::string method(const timeline::Solution& solution, scene::Language language) {
   using scene::Phrase;

@@ -25,6 +25,9 @@ std::string drift(double value);
 /// Formats the magnitude of an error: the same without the sign.
 std::string error(double value);
 
+/// Returns "10⁻³" for -3.
+std::string power_of_ten(int exponent);
+
 /// Formats a setting as briefly as possible: "0.01", "10⁻¹⁰", "2.5×10⁻⁷".
 std::string setting(double value);
 

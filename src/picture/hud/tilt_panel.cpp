@@ -9,6 +9,7 @@
 #include <numbers>
 #include <span>
 
+#include "picture/hud/hud_text.h"
 #include "picture/hud/panel.h"
 #include "scene/phrase.h"
 #include "scene/prediction.h"
@@ -59,7 +60,7 @@ std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt
 std::string degrees_text(double tilt) {
   if (tilt < round_off) return "0°";
   const double value = tilt / degree * (1 + 1e-9);
-  if (value < 1e-3) return fmt::format("{:.0e}°", value);
+  if (value < 1e-3) return hud_text::error(value) + "°";
   return fmt::format("{:.{}f}°", value, value < 0.1 ? 3 : value < 1 ? 2 : value < 10 ? 1 : 0);
 }
 
@@ -133,7 +134,7 @@ void TiltPanel::draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typef
   const int every = std::max(1, static_cast<int>(std::ceil(1.2 * size_ / apart)));
   for (int i = 0; i <= decades; i += every) {
     const double value = std::pow(10, 1 - i);
-    line(value * degree, i < 4 ? fmt::format("{}°", value) : fmt::format("1e{}°", 1 - i));
+    line(value * degree, i < 4 ? fmt::format("{}°", value) : hud_text::power_of_ten(1 - i) + "°");
   }
 }
 
