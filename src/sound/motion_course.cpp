@@ -1,6 +1,7 @@
 #include "sound/motion_course.h"
 
 #include <twrench/body/shape.h>
+#include <twrench/motion/stability.h>
 #include <twrench/motion/trajectory.h>
 
 #include <Eigen/Core>
@@ -136,6 +137,7 @@ void append(MotionCourse& course, const Span& span, const std::atomic<bool>* sto
   const double points = std::ceil(span.end * course.rate);
   const std::size_t count = static_cast<std::size_t>(points) - std::min(first, std::size_t(points));
   const Matrix3d M = end_speeds(span.scene.body);
+  const motion::Tilt tilt(solution.body);
   const auto time_of = [&](std::size_t i) { return span.motion_time(film_time(i)); };
   const auto add = [&](const motion::Sample& sample) {
     const double time = double(course.speeds.size()) / course.rate;
@@ -144,6 +146,7 @@ void append(MotionCourse& course, const Span& span, const std::atomic<bool>* sto
     constexpr double fastest = 1e6;
     course.speeds.push_back(
         static_cast<float>(std::min(std::sqrt(std::max(0.0, w.dot(M * w))), fastest)));
+    course.leans.push_back(static_cast<float>(tilt.of(sample)));
   };
   if (solution.recording) {
     for (std::size_t i = 0; i < count; ++i) add(solution.recording->motion.at(time_of(i)));

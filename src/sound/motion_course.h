@@ -17,6 +17,9 @@ struct MotionCourse {
   /// end: the root of the mean square over the ends, in bounding radii of the body per second of
   /// film. They depend neither on the size of the body nor on the unit of time.
   std::vector<float> speeds;
+  /// The angles in rad between L and the nearer end of the principal axis that was nearest to L at
+  /// the start, at the same times.
+  std::vector<float> leans;
   /// Times of the flips in s of film, ascending.
   std::vector<double> flips;
 };

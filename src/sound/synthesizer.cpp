@@ -13,9 +13,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The noise has a quarter of its greatest amplitude at a turn per second.
+/// The noise has half of its greatest amplitude at a turn per second.
 constexpr double medium_speed = 2 * pi;
-/// Hz. At rest the noise would have the lowest pitch; at a turn per second about 690 Hz.
+/// Hz. At rest the noise would have the lowest pitch; at a turn per second about 690 Hz. It is up
+/// to an octave higher while the body leans, so that a flip is heard to come.
 constexpr double lowest_pitch = 140, highest_pitch = 3000;
 constexpr double pitch_exponent = 0.8;
 
@@ -55,10 +56,7 @@ const Decay accent_recurrence = [] {
 
 }  // namespace
 
-double noise_amplitude(double speed) {
-  const double share = speed / (speed + medium_speed);
-  return share * share;
-}
+double noise_amplitude(double speed) { return speed / (speed + medium_speed); }
 
 BandFilter::Coefficients::Coefficients(double g)
     : a1(1 / (1 + g * (g + 1 / quality))), a2(g * a1), a3(g * a2) {}
@@ -83,8 +81,10 @@ Synthesizer::Synthesizer(const MotionCourse& course)
       last_flip_(-std::numeric_limits<double>::infinity()) {}
 
 Synthesizer::Tone Synthesizer::tone_at(std::size_t index) const {
-  const double speed = course_.speeds[std::min(index, course_.speeds.size() - 1)];
-  const double pitch = std::min(lowest_pitch * std::pow(1 + speed, pitch_exponent), highest_pitch);
+  const std::size_t i = std::min(index, course_.speeds.size() - 1);
+  const double speed = course_.speeds[i], octaves = course_.leans[i] / (pi / 2);
+  const double pitch = std::min(
+      lowest_pitch * std::pow(1 + speed, pitch_exponent) * std::exp2(octaves), highest_pitch);
   // The power of the noise in the band is proportional to the pitch.
   const double uniform_power = 1.0 / 3;
   const double power = uniform_power * (pi / 4) * (pitch / quality) / (sample_rate / 2.0);
