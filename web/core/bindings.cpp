@@ -118,7 +118,7 @@ extern "C" {
 /// bound of the rate, and whether the body turns over.
 [[clang::export_name("motion_facts")]] void motion_facts(const Motion* motion) {
   const body::PrincipalAxes& principal = motion->body.principal();
-  Results results(25);
+  Results results(27);
   results << motion->body.momentum() << motion->initial_energy << principal.moments
           << principal.axes << (motion->exact ? 1.0 : 0.0);
   if (!motion->exact) {
@@ -132,7 +132,8 @@ extern "C" {
   const auto flips = motion->exact->flips();
   results << (flips ? 1.0 : 0.0);
   if (!flips) return;
-  results << flips->interval << flips->first << flips->asymptotic_interval << flips->swing;
+  results << flips->interval << flips->first << flips->asymptotic_interval << flips->swing
+          << (flips->turns_over() ? 1.0 : 0.0);
 }
 
 [[clang::export_name("motion_samples")]] void motion_samples(const Motion* motion, std::size_t n) {

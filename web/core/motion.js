@@ -101,7 +101,7 @@ export class Motion extends Sampled {
 
   /** @param {boolean} losesEnergy @returns {Facts} */
   #facts(losesEnergy) {
-    const r = this.instance.compute(26, [], 'motion_facts', this.held.get());
+    const r = this.instance.compute(27, [], 'motion_facts', this.held.get());
     const moments = vector(r, 4);
     const common = {
       momentum: vector(r, 0),
@@ -115,7 +115,8 @@ export class Motion extends Sampled {
       const [longest, rate, turnsOver] = r.slice(17, 20);
       return { ...common, kind: null, longest, rate, flips: null, phase: null, turnsOver: turnsOver > 0 };
     }
-    const [kind, period, total, dynamic, hasFlips, interval, first, asymptoticInterval, swing] = r.slice(17, 26);
+    const [kind, period, total, dynamic, hasFlips, interval, first, asymptoticInterval, swing, turnsOver] =
+      r.slice(17, 27);
     return {
       ...common,
       kind: kinds[kind],
@@ -123,7 +124,7 @@ export class Motion extends Sampled {
       rate: Math.hypot(...this.omega),
       flips: hasFlips ? { interval, first, asymptoticInterval, swing } : null,
       phase: period ? { period, total, dynamic, geometric: total - dynamic } : null,
-      turnsOver: hasFlips > 0 && swing >= Math.PI / 2,
+      turnsOver: hasFlips > 0 && turnsOver > 0,
     };
   }
 
