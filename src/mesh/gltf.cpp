@@ -1,12 +1,13 @@
-#include "mesh/gltf.h"
-
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,15 +15,176 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/gltf_accessor.h"
-#include "mesh/gltf_buffers.h"
-#include "mesh/gltf_chunks.h"
-#include "mesh/gltf_json.h"
-#include "mesh/gltf_nodes.h"
-#include "mesh/gltf_sizes.h"
+#include "mesh/formats.h"
+#include "mesh/gltf_document.h"
 
 namespace twrench::mesh {
 namespace {
+
+/// A mesh of a glTF file as placed by a node.
+struct GltfInstance {
+  std::uint64_t mesh;
+  Eigen::Matrix4d transform;  ///< From the mesh to the scene.
+  /// Whether the node repeats the mesh by the extension EXT_mesh_gpu_instancing, which is not read.
+  bool is_repeated;
+};
+
+using Eigen::Matrix4d;
+
+/// Returns the transform of a node in its parent's frame.
+Matrix4d transform_of(const GltfValue& node) {
+  if (const auto matrix = node.find("matrix")) {
+    const std::vector<double> columns = matrix->numbers(16);
+    return Eigen::Map<const Matrix4d>(columns.data());
+  }
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  if (const auto translation = node.find("translation")) {
+    const std::vector<double> t = translation->numbers(3);
+    transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
+  }
+  if (const auto rotation = node.find("rotation")) {
+    const std::vector<double> q = rotation->numbers(4);
+    transform.rotate(Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized());
+  }
+  if (const auto scale = node.find("scale")) {
+    const std::vector<double> s = scale->numbers(3);
+    transform.scale(Eigen::Vector3d(s[0], s[1], s[2]));
+  }
+  return transform.matrix();
+}
+
+std::vector<std::uint64_t> indices(const std::optional<GltfValue>& list) {
+  std::vector<std::uint64_t> all;
+  for (std::size_t i = 0; list && i < list->size(); ++i) all.push_back(list->at(i).whole());
+  return all;
+}
+
+/// Returns the indices of the root nodes.
+std::vector<std::uint64_t> roots(const GltfValue& document) {
+  if (document.size("scenes") > 0) {
+    return indices(document.at("scenes").at(document.whole_or("scene", 0)).find("nodes"));
+  }
+  const std::size_t count = document.size("nodes");
+  std::vector<bool> is_child(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::uint64_t child : indices(document.at("nodes").at(i).find("children"))) {
+      if (child < count) is_child[child] = true;
+    }
+  }
+  std::vector<std::uint64_t> top;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_child[i]) top.push_back(i);
+  }
+  return top;
+}
+
+/// Returns the mesh instances of the default scene, or of all nodes if the file has no scene.
+/// Throws system::FileError if the nodes do not form a forest.
+std::vector<GltfInstance> gltf_instances(const GltfValue& document) {
+  std::vector<GltfInstance> instances;
+  std::vector<bool> visited(document.size("nodes"));
+  std::vector<std::pair<std::uint64_t, Matrix4d>> open;
+  for (const std::uint64_t root : roots(document)) open.emplace_back(root, Matrix4d::Identity());
+  while (!open.empty()) {
+    const auto [index, parent] = open.back();
+    open.pop_back();
+    const GltfValue node = document.at("nodes").at(index);
+    if (visited[index]) throw node.bad("is a child of more than one node");
+    visited[index] = true;
+    const Matrix4d transform = parent * transform_of(node);
+    if (const auto mesh = node.find("mesh")) {
+      const auto extensions = node.find("extensions");
+      const bool is_repeated = extensions && extensions->find("EXT_mesh_gpu_instancing");
+      instances.push_back({mesh->whole(), transform, is_repeated});
+    }
+    for (const std::uint64_t child : indices(node.find("children"))) {
+      open.emplace_back(child, transform);
+    }
+  }
+  return instances;
+}
+
+/// The kinds of primitives that consist of triangles, with glTF's numbers.
+enum class GltfMode : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
+
+/// A primitive that has triangles.
+struct GltfPrimitive {
+  GltfValue value;
+  GltfMode mode;
+};
+
+/// The primitives of a glTF mesh and their counts.
+struct GltfMesh {
+  std::vector<GltfPrimitive> primitives;
+  std::uint64_t vertices = 0, triangles = 0;
+  std::uint64_t points_and_lines = 0;  ///< Primitives that are omitted.
+  bool has_targets = false;
+};
+
+std::uint64_t triangles_of(GltfMode mode, std::uint64_t corners) {
+  if (mode == GltfMode::triangles) return corners / 3;
+  return corners < 3 ? 0 : corners - 2;
+}
+
+void count(const GltfValue& document, const GltfValue& primitive, GltfBuffers& buffers,
+           GltfMesh& mesh) {
+  mesh.has_targets = mesh.has_targets || primitive.find("targets");
+  const std::uint64_t mode = primitive.whole_or("mode", 4);
+  if (mode > 6) throw primitive.at("mode").bad("is no kind of primitive");
+  if (mode < 4) {
+    ++mesh.points_and_lines;
+    return;
+  }
+  const auto size = [&](const GltfValue& index) {
+    return GltfAccessor(document.at("accessors").at(index.whole()), buffers).size();
+  };
+  const std::size_t vertices = size(primitive.at("attributes").at("POSITION"));
+  const auto indices = primitive.find("indices");
+  const std::uint64_t triangles = triangles_of(GltfMode(mode), indices ? size(*indices) : vertices);
+  if (triangles == 0) return;
+  mesh.vertices += vertices;
+  mesh.triangles += triangles;
+  mesh.primitives.push_back({primitive, GltfMode(mode)});
+}
+
+GltfMesh counted(const GltfValue& document, std::uint64_t index, GltfBuffers& buffers) {
+  GltfMesh mesh;
+  const GltfValue primitives = document.at("meshes").at(index).at("primitives");
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    count(document, primitives.at(i), buffers, mesh);
+  }
+  return mesh;
+}
+
+/// Returns the contents of the meshes that the instances use, by index, without building the
+/// meshes. A file can repeat a mesh any number of times. Throws system::FileError if a mesh is
+/// damaged, and InvalidArgument if the instances together have far more triangles than the file has
+/// bytes.
+std::map<std::uint64_t, GltfMesh> gltf_meshes(const Source& source, const GltfValue& document,
+                                              const std::vector<GltfInstance>& instances,
+                                              GltfBuffers& buffers) {
+  std::map<std::uint64_t, GltfMesh> meshes;
+  for (const GltfInstance& instance : instances) {
+    if (meshes.contains(instance.mesh)) continue;
+    meshes.emplace(instance.mesh, counted(document, instance.mesh, buffers));
+  }
+  // Without repetition, a triangle takes at least one byte.
+  constexpr std::uint64_t repeated = 3'000'000;
+  const std::uint64_t most =
+      std::max<std::uint64_t>(source.bytes.size() + buffers.bytes(), repeated);
+  std::uint64_t vertices = 0, triangles = 0;
+  for (const GltfInstance& instance : instances) {
+    vertices += meshes.at(instance.mesh).vertices;
+    triangles += meshes.at(instance.mesh).triangles;
+    if (triangles <= most && vertices <= 3 * most) continue;
+    throw InvalidArgument(source.name,
+                          fmt::format("its nodes repeat its meshes to more than {} triangles, or "
+                                      "{} vertices",
+                                      most, 3 * most),
+                          "remove repeated nodes, or save each mesh as often as it is there");
+  }
+  return meshes;
+}
 
 using Eigen::Matrix4d;
 

@@ -1,5 +1,3 @@
-#include "mesh/obj.h"
-
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
@@ -9,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/formats.h"
 #include "mesh/line_reader.h"
 #include "mesh/polygon.h"
 

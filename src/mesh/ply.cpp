@@ -1,24 +1,137 @@
-#include "mesh/ply.h"
-
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
-#include "mesh/binary.h"
+#include "base/enumeration.h"
+#include "mesh/formats.h"
 #include "mesh/line_reader.h"
-#include "mesh/ply_header.h"
 #include "mesh/polygon.h"
 
 namespace twrench::mesh {
 namespace {
+
+/// The types of numbers in PLY files.
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type{};
+  /// For a list, the type of its entry count.
+  std::optional<PlyType> count_type;
+};
+
+/// Items of one kind, such as vertices.
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  enum class Format { text, little_endian, big_endian };
+  Format format = Format::text;
+  std::vector<PlyElement> elements;
+};
+
+struct TypeName {
+  PlyType type;
+  std::string_view name, other_name;
+  std::size_t bytes;
+};
+
+constexpr std::array type_names{TypeName{PlyType::int8, "char", "int8", 1},
+                                TypeName{PlyType::uint8, "uchar", "uint8", 1},
+                                TypeName{PlyType::int16, "short", "int16", 2},
+                                TypeName{PlyType::uint16, "ushort", "uint16", 2},
+                                TypeName{PlyType::int32, "int", "int32", 4},
+                                TypeName{PlyType::uint32, "uint", "uint32", 4},
+                                TypeName{PlyType::float32, "float", "float32", 4},
+                                TypeName{PlyType::float64, "double", "float64", 8}};
+
+static_assert(has_row_for_each(type_names, &TypeName::type));
+
+PlyType read_type(LineReader& lines) {
+  const std::string_view word = lines.word();
+  for (const TypeName& known : type_names) {
+    if (word == known.name || word == known.other_name) return known.type;
+  }
+  throw lines.bad(fmt::format("{} is no type of PLY", shown(word)));
+}
+
+PlyHeader::Format read_format(LineReader& lines) {
+  const std::string_view word = lines.word();
+  if (word == "ascii") return PlyHeader::Format::text;
+  if (word == "binary_little_endian") return PlyHeader::Format::little_endian;
+  if (word == "binary_big_endian") return PlyHeader::Format::big_endian;
+  throw lines.bad(fmt::format("{} is no format of PLY", shown(word)));
+}
+
+PlyElement read_element(LineReader& lines) {
+  PlyElement element;
+  element.name = lines.word();
+  const std::string_view count = lines.word();
+  const auto [stop, error] =
+      std::from_chars(count.data(), count.data() + count.size(), element.count);
+  if (error == std::errc() && stop == count.data() + count.size()) return element;
+  throw lines.bad(fmt::format("{} is no number of elements", shown(count)));
+}
+
+PlyProperty read_property(LineReader& lines) {
+  PlyProperty property;
+  LineReader after = lines;
+  if (after.word() == "list") {
+    lines = after;
+    property.count_type = read_type(lines);
+  }
+  property.type = read_type(lines);
+  property.name = lines.word();
+  return property;
+}
+
+/// Returns the size in bytes of a number of the type in a binary file.
+std::size_t size_of(PlyType type) {
+  return std::ranges::find(type_names, type, &TypeName::type)->bytes;
+}
+
+/// Reads the header and leaves the lines that follow it. Throws system::FileError if it is damaged.
+PlyHeader read_ply_header(LineReader& lines) {
+  PlyHeader header;
+  bool has_format = false;
+  lines.next();
+  if (lines.word() != "ply") throw lines.bad("a PLY file begins with 'ply'");
+  while (lines.next()) {
+    const std::string_view keyword = lines.word();
+    if (keyword == "end_header") {
+      if (has_format) return header;
+      throw lines.bad("the header has no 'format' line");
+    }
+    if (keyword == "format") {
+      header.format = read_format(lines);
+      has_format = true;
+    } else if (keyword == "element") {
+      header.elements.push_back(read_element(lines));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) throw lines.bad("a property before the first element");
+      header.elements.back().properties.push_back(read_property(lines));
+    } else if (keyword != "comment" && keyword != "obj_info") {
+      throw lines.bad(fmt::format("{} is no keyword of a PLY header", shown(keyword)));
+    }
+  }
+  throw lines.bad("the file is cut off: its header does not end");
+}
 
 system::FileError cut_off(const std::string& name, const std::string& why) {
   return {"cannot read " + name, "it is cut off: " + why};

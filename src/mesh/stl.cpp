@@ -1,5 +1,3 @@
-#include "mesh/stl.h"
-
 #include <fmt/format.h>
 #include <twrench/base/error.h>
 
@@ -11,7 +9,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "mesh/binary.h"
+#include "mesh/formats.h"
 #include "mesh/line_reader.h"
 
 namespace twrench::mesh {

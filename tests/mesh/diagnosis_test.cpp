@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
-#include "mesh/crossings.h"
 #include "mesh/mesh_file.h"
 #include "mesh/nesting.h"
+#include "mesh/overlaps.h"
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
 #include "mesh/topology.h"

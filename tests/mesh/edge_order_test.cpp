@@ -1,10 +1,10 @@
-#include "mesh/edge_order.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <numbers>
 #include <vector>
+
+#include "mesh/topology.h"
 
 namespace twrench::mesh {
 namespace {

@@ -1,11 +1,10 @@
-#include "mesh/gltf.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "mesh/formats.h"
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
 #include "scratch_folder.h"

@@ -1,8 +1,7 @@
-#include "mesh/obj.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/formats.h"
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
 

@@ -1,11 +1,10 @@
-#include "mesh/stl.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <vector>
 
+#include "mesh/formats.h"
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
 

@@ -1,9 +1,8 @@
-#include "mesh/winding.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "mesh/nesting.h"
 #include "mesh/samples.h"
 
 namespace twrench::mesh {
