@@ -6,7 +6,6 @@
 
 #include "target.h"
 #include "video/frame_range.h"
-#include "video/shard.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace twrench;

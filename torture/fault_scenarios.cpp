@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "program.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench::torture {
 namespace {

@@ -3,8 +3,8 @@
 #include <exception>
 #include <system_error>
 
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench::torture {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cases/case_json.h"
+#include "cases/solution.h"
 #include "module.h"
 
 namespace twrench::python {

@@ -20,7 +20,6 @@
 #include "check/report/report.h"
 #include "comparison/report.h"
 #include "comparison/request.h"
-#include "comparison/update.h"
 #include "errors.h"
 #include "interruptible.h"
 #include "module.h"

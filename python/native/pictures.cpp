@@ -22,7 +22,7 @@
 #include "system/error.h"
 #include "system/file.h"
 #include "video/encode_frames.h"
-#include "video/shard.h"
+#include "video/frame_range.h"
 
 namespace twrench::python {
 namespace {

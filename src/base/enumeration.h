@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/nearest.h"
+#include "base/words.h"
 
 // The names of enumerators, for enumerations whose values are 0, 1, 2 and so on. They are extracted
 // from the function names that compilers generate, so that source code lists them only in the

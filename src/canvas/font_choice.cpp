@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvas/unicode.h"
+#include "canvas/text_runs.h"
 
 namespace twrench::canvas {
 namespace {

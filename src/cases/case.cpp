@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "base/enumeration.h"
-#include "base/nearest.h"
+#include "base/words.h"
 #include "embedded/cases.h"
 #include "scene/limits.h"
 #include "scene/toml_table.h"

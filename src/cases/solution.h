@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "cases/case.h"
@@ -48,5 +49,12 @@ double largest_difference(const Published& published, const State& exact);
 /// Returns whether each component is within half a unit of its last published digit of the exact
 /// one.
 bool is_right_to_its_digits(const Published& published, const State& exact);
+
+/// Returns a case with its published values, the exact ones beside them, and the exact states at
+/// times_of(). Rates are in rad/s unless a unit is beside them; quaternions have the scalar first.
+nlohmann::ordered_json case_json(const Case& problem);
+
+/// Returns the parameters of a case and its source.
+nlohmann::ordered_json summary_json(const Case& problem);
 
 }  // namespace twrench::cases

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "text/xml.h"
+#include "text/escape.h"
 
 namespace twrench::comparison {
 namespace {

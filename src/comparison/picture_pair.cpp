@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "image/alpha.h"
+#include "image/image.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
 #include "image/similarity.h"

@@ -8,7 +8,6 @@
 
 #include "base/enumeration.h"
 #include "text/escape.h"
-#include "text/xml.h"
 
 namespace twrench::comparison {
 namespace {

@@ -4,14 +4,15 @@
 #include <twrench/base/error.h>
 
 #include <optional>
-#include <string>
 
 #include "base/argument.h"
 #include "comparison/page.h"
 #include "image/png.h"
 #include "system/file.h"
 #include "system/file_list.h"
+#include "system/file_lock.h"
 #include "system/output.h"
+#include "system/pending_file.h"
 
 namespace twrench::comparison {
 namespace {
@@ -114,6 +115,42 @@ Comparison compare(const Request& request,
     page->finish();
   }
   return comparison;
+}
+
+namespace {
+
+bool is_to_be_copied(const FrameResult& frame) {
+  return frame.outcome == Outcome::different || frame.outcome == Outcome::other_format ||
+         frame.outcome == Outcome::extra;
+}
+
+void copy_frame(const Inputs& inputs, const std::string& name) {
+  const auto actual = inputs.actual_frame(name);
+  const auto bytes = system::read_regular_file(actual, image::max_png_size);
+  image::require_whole_png(bytes, actual.string());
+  // In a folder of frames, a link may lead to a file that another folder uses as well.
+  system::PendingFile file(inputs.expected_frame(name),
+                           inputs.folders ? system::Links::replace : system::Links::follow);
+  file.write(bytes);
+  file.commit();
+}
+
+}  // namespace
+
+std::size_t update_expected(const Comparison& comparison) {
+  if (comparison.first_unreadable() != nullptr) return 0;
+  std::optional<system::FolderLock> lock;
+  if (comparison.inputs.folders) {
+    system::make_folder(comparison.inputs.expected);
+    lock.emplace(comparison.inputs.expected, system::LockKind::exclusive);
+  }
+  std::size_t copied = 0;
+  for (const FrameResult& frame : comparison.frames) {
+    if (!is_to_be_copied(frame)) continue;
+    copy_frame(comparison.inputs, frame.name);
+    ++copied;
+  }
+  return copied;
 }
 
 }  // namespace twrench::comparison

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -28,5 +29,11 @@ struct Request {
 /// FileList does, and as compare_folders() and compare_pictures() do.
 Comparison compare(const Request& request,
                    const std::function<void(int done, int total)>& progress);
+
+/// Accepts the actual frames: copies those that are different, have another format or are extra
+/// over the expected ones, each atomically, and returns their number. Frames that are alike or
+/// missing remain unchanged. Copies nothing if a frame could not be read. Throws FileError, also if
+/// another run writes to the folder.
+std::size_t update_expected(const Comparison& comparison);
 
 }  // namespace twrench::comparison

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "draw/body_pass.h"
-#include "draw/draw_list_painter.h"
 #include "draw/draw_list_pass.h"
 #include "draw/floor.h"
 #include "draw/view_painter.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "embedded/shaders.h"
-#include "gl/vertices.h"
+#include "gl/objects.h"
 #include "picture/body/facets.h"
 #include "picture/body/shader_constants.h"
 #include "picture/space/glm_from_eigen.h"

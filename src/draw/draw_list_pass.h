@@ -2,7 +2,9 @@
 
 #include <span>
 
-#include "gl/handle.h"
+#include "draw/view_painter.h"
+#include "gl/framebuffer.h"
+#include "gl/objects.h"
 #include "gl/program.h"
 #include "picture/overlay/draw_list.h"
 
@@ -53,6 +55,24 @@ class DrawListPass {
   gl::VertexArray array_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
+};
+
+/// The painter of a view without a body.
+class DrawListPainter final : public ViewPainter {
+ public:
+  /// The view fills `pane`. The framebuffer has the size of the picture and must outlive the
+  /// painter.
+  DrawListPainter(const gl::Functions& gl, const gl::Framebuffer& framebuffer,
+                  const image::Area& pane)
+      : framebuffer_(framebuffer), pass_(gl), pane_(pane) {}
+
+  std::vector<picture::Layer> draw_still(const picture::ViewContents& contents) override;
+  std::vector<PendingLayer> draw(const picture::ViewContents& contents) override;
+
+ private:
+  const gl::Framebuffer& framebuffer_;
+  DrawListPass pass_;
+  image::Area pane_;
 };
 
 }  // namespace twrench::draw

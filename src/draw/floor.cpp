@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "image/dither.h"
+#include "image/image.h"
 #include "picture/body/floor_plane.h"
 #include "picture/space/screen_area.h"
 

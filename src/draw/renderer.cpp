@@ -9,7 +9,7 @@
 #include "canvas/font.h"
 #include "draw/blank_frames.h"
 #include "draw/body_painter.h"
-#include "draw/draw_list_painter.h"
+#include "draw/draw_list_pass.h"
 #include "gl/framebuffer.h"
 #include "picture/compose/element.h"
 #include "picture/compose/label_painter.h"

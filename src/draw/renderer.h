@@ -10,7 +10,6 @@
 #include "gl/readback.h"
 #include "image/frame.h"
 #include "image/image.h"
-#include "image/pending_frame.h"
 #include "picture/space/camera.h"
 #include "timeline/timeline.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include "image/dither.h"
+#include "image/image.h"
 #include "picture/compose/layer.h"
 
 namespace twrench::draw {

@@ -11,7 +11,7 @@
 #include "image/stb.h"
 #include "page/stills.h"
 #include "scene/natural_times.h"
-#include "system/base64.h"
+#include "system/bytes.h"
 #include "timeline/film_timeline.h"
 
 namespace twrench::film {

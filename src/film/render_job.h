@@ -11,12 +11,11 @@
 #include "draw/film_renderer.h"
 #include "film/frames_output.h"
 #include "film/pipeline.h"
-#include "film/stage_times.h"
 #include "gl/backend.h"
 #include "scene/scene.h"
 #include "timeline/film_timeline.h"
 #include "video/encoder.h"
-#include "video/shard.h"
+#include "video/frame_range.h"
 #include "video/text_tracks.h"
 
 namespace twrench::film {

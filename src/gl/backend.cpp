@@ -15,7 +15,6 @@
 #include "gl/error.h"
 #include "gl/framebuffer.h"
 #include "gl/functions.h"
-#include "gl/library.h"
 
 namespace twrench::gl {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "gl/handle.h"
+#include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/readback.h"
 

@@ -5,7 +5,7 @@
 
 #include "gl/context.h"
 #include "gl/error.h"
-#include "gl/library.h"
+#include "gl/functions.h"
 
 namespace twrench::gl {
 namespace {

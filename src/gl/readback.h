@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "gl/handle.h"
+#include "gl/objects.h"
 #include "image/image.h"
 
 namespace twrench::gl {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "image/alpha.h"
+#include "image/image.h"
 #include "image/plain_png.h"
 #include "image/png.h"
 #include "image/png_chunks.h"

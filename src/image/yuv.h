@@ -6,9 +6,29 @@
 
 #include "image/area.h"
 #include "image/image.h"
-#include "image/yuv_rows.h"
 
 namespace twrench::image {
+
+/// The arithmetic of Yuv420 by rows. Output ranges must not overlap other ranges.
+struct YuvRows {
+  /// Converts `count` pixels to Y'.
+  void (*luma)(const std::uint8_t* rgb, std::uint8_t* out, int count);
+
+  /// Computes the weights of `count` columns of two rows in Cb and Cr, as sums that are not yet
+  /// rounded.
+  void (*columns)(const std::uint8_t* upper, const std::uint8_t* lower, int* blue, int* red,
+                  int count);
+
+  /// Computes Cb or Cr: sample i from columns 2i to 2i + 2, with double weight on the middle one.
+  void (*chroma)(const int* columns, std::uint8_t* out, int count);
+};
+
+/// Returns the implementation for all processors.
+YuvRows common_yuv_rows();
+
+/// Returns the implementation with the widest instructions of this processor; its results are the
+/// same.
+YuvRows fastest_yuv_rows();
 
 /// An image as video encoders take it: planar Y'CbCr 4:2:0, 8 bits, BT.709, limited range (Y' 16 to
 /// 235, Cb and Cr 16 to 240). The chroma location is left, the default of H.264 and MPEG-2:

@@ -13,9 +13,8 @@
 #include <span>
 
 #include "mesh/formats.h"
-#include "system/base64.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench::mesh {
 

@@ -10,15 +10,15 @@
 #include <memory>
 #include <utility>
 
-#include "base/nearest.h"
 #include "base/require.h"
+#include "base/words.h"
 #include "mesh/diagnosis.h"
 #include "mesh/formats.h"
 #include "mesh/topology.h"
 #include "mesh/welding.h"
+#include "system/bytes.h"
 #include "system/file.h"
 #include "system/file_kind.h"
-#include "system/sha256.h"
 
 namespace twrench::mesh {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "body/equal_moments.h"
+#include "body/moments.h"
 
 namespace twrench::motion {
 

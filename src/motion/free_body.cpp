@@ -8,7 +8,7 @@
 
 #include "base/require.h"
 #include "math/unaligned.h"
-#include "motion/unchecked_rate.h"
+#include "motion/unchecked.h"
 
 namespace twrench::motion {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "math/unaligned.h"
-#include "motion/unchecked_rate.h"
+#include "motion/unchecked.h"
 
 namespace twrench::motion {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/nearest.h"
+#include "base/words.h"
 #include "motion/scheme.h"
 
 namespace twrench::motion {

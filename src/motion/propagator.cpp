@@ -13,7 +13,7 @@
 #include "base/require.h"
 #include "motion/interior_series.h"
 #include "motion/taylor.h"
-#include "motion/unchecked_stepper.h"
+#include "motion/unchecked.h"
 
 namespace twrench::motion {
 

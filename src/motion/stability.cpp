@@ -6,8 +6,7 @@
 #include <numbers>
 
 #include "base/require.h"
-#include "body/ascending_moments.h"
-#include "body/equal_moments.h"
+#include "body/moments.h"
 
 namespace twrench::motion {
 

@@ -9,8 +9,7 @@
 #include "motion/exact_solution.h"
 #include "motion/interior_series.h"
 #include "motion/taylor.h"
-#include "motion/unchecked_rate.h"
-#include "motion/unchecked_stepper.h"
+#include "motion/unchecked.h"
 
 namespace twrench::motion {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "system/base64.h"
+#include "system/bytes.h"
 
 namespace twrench::page {
 namespace {

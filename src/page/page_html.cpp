@@ -19,7 +19,7 @@
 #include "scene/natural_times.h"
 #include "scene/scene_json.h"
 #include "system/file.h"
-#include "text/xml.h"
+#include "text/escape.h"
 
 namespace twrench::page {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "embedded/site.h"
 #include "page/template_filling.h"
-#include "text/xml.h"
+#include "text/escape.h"
 
 namespace twrench::page {
 

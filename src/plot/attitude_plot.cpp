@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "base/time_unit.h"
-#include "plot/panels.h"
+#include "plot/gnuplot.h"
 #include "scene/phrase.h"
 
 namespace twrench::plot {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/time_unit.h"
-#include "plot/panels.h"
+#include "plot/gnuplot.h"
 #include "recording/conventions/units.h"
 
 namespace twrench::plot {

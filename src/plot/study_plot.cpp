@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/time_unit.h"
-#include "plot/panels.h"
+#include "plot/gnuplot.h"
 #include "scene/phrase.h"
 
 namespace twrench::plot {

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "recording/columns/columns.h"
 #include "recording/columns/derived_times.h"
 #include "recording/columns/stated_unit.h"

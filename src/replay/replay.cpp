@@ -26,7 +26,7 @@
 #include "scene/limits.h"
 #include "scene/natural_times.h"
 #include "scene/shown_recording.h"
-#include "system/sha256.h"
+#include "system/bytes.h"
 
 namespace twrench::replay {
 namespace {

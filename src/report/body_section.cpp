@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "report/numbers.h"
 #include "report/sections.h"
+#include "report/tables.h"
 #include "scene/prediction.h"
 
 namespace twrench::report {

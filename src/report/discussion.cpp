@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/numbers.h"
 #include "report/sections.h"
-#include "report/study_tables.h"
+#include "report/tables.h"
 
 namespace twrench::report {
 namespace {

@@ -5,27 +5,16 @@
 #include "base/enumeration.h"
 #include "embedded/report_style.h"
 #include "report/mathml.h"
+#include "text/escape.h"
 
 namespace twrench::report {
 namespace {
 
 /// The text as content of an element or of an attribute.
 std::string html(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n') {
-      result += c;
-    }
-  }
-  return result;
+  std::string shown(text);
+  std::erase_if(shown, [](unsigned char c) { return c < 0x20 && c != '\n'; });
+  return text::with_references(shown);
 }
 
 std::string command_html(const std::string& command) {

@@ -11,7 +11,7 @@
 
 #include "math/elliptic.h"
 #include "report/motion_parts.h"
-#include "report/numbers.h"
+#include "report/tables.h"
 #include "scene/prediction.h"
 
 namespace twrench::report {

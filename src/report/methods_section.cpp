@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "plot/study_plot.h"
-#include "report/numbers.h"
 #include "report/sections.h"
-#include "report/study_tables.h"
+#include "report/tables.h"
 
 namespace twrench::report {
 namespace {

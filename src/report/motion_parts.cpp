@@ -10,8 +10,8 @@
 #include "motion/energy_contours.h"
 #include "motion/phase.h"
 #include "plot/attitude_plot.h"
-#include "report/numbers.h"
 #include "report/sections.h"
+#include "report/tables.h"
 
 namespace twrench::report {
 namespace {

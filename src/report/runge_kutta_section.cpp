@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include "report/numbers.h"
 #include "report/sections.h"
-#include "report/study_tables.h"
+#include "report/tables.h"
 
 namespace twrench::report {
 namespace {

@@ -1,11 +1,14 @@
 #include "report/solution.h"
 
 #include <twrench/motion/error.h>
+#include <twrench/motion/trajectory.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "motion/reference_motion.h"
+#include "scene/shown_recording.h"
 #include "study/ladder.h"
 #include "study/reference.h"
 
@@ -13,6 +16,7 @@ namespace twrench::report {
 namespace {
 
 constexpr std::int64_t most_study_steps = 1'000'000;
+constexpr double most_times_of_curve = 20'000;
 
 /// The plan of a study with the default steps and tolerances.
 study::StudyPlan ladder_plan(const scene::Motion& motion) {
@@ -86,6 +90,39 @@ std::vector<double> plot_times(const scene::Motion& motion, double most) {
   std::vector<double> times;
   for (int i = 0; i <= static_cast<int>(count); ++i) times.push_back(motion.duration * i / count);
   return times;
+}
+
+plot::AttitudeCurve attitude_curve(const scene::Scene& scene) {
+  const motion::FreeBody body = scene::free_body(scene);
+  const motion::Method& method = motion::find_method(scene.motion.method);
+  plot::AttitudeCurve curve;
+  curve.title = scene.shown_title();
+  curve.samples = motion::integrate(body, method, scene.motion.control,
+                                    plot_times(scene.motion, most_times_of_curve))
+                      .samples;
+  if (body.energy_loss() > 0) return curve;
+  const auto flips = body.is_rigid() ? motion::ExactMotion(body).flips() : std::nullopt;
+  if (!body.is_rigid() || (flips && flips->turns_over())) {
+    curve.flips = study::reference_flip_times(body, scene.motion.duration);
+  }
+  return curve;
+}
+
+std::vector<plot::AttitudeCurve> shown_curves(const scene::Scene& scene) {
+  const auto& recording = scene.motion.recording;
+  if (!recording) return {attitude_curve(scene)};
+  const std::vector<double> times = plot_times(scene.motion, most_times_of_curve);
+  std::vector<plot::AttitudeCurve> curves{
+      {scene.shown_title(), recording->motion.samples_at(times), recording->flip_times}};
+  if (!recording->has_body) return curves;
+  scene::Scene exact = scene;
+  const motion::Method& method = motion::reference_method(scene::free_body(scene));
+  exact.motion.method = method.name;
+  exact.motion.control = motion::reference_control(scene.motion.control.stop);
+  exact.title = method.name;
+  curves.push_back(attitude_curve(exact));
+  curves.back().is_dashed = true;
+  return curves;
 }
 
 }  // namespace twrench::report

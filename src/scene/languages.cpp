@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/enumeration.h"
-#include "base/letters.h"
+#include "base/words.h"
 
 namespace twrench::scene {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "base/nearest.h"
+#include "base/words.h"
 
 namespace twrench::scene {
 

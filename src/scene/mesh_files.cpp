@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/nearest.h"
+#include "base/words.h"
 #include "embedded/meshes.h"
 
 namespace twrench::scene {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "body/equal_moments.h"
+#include "body/moments.h"
 #include "scene/dimensions.h"
 #include "scene/limits.h"
 #include "scene/mesh_files.h"

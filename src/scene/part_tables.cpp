@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/nearest.h"
+#include "base/words.h"
 #include "scene/dimensions.h"
 #include "scene/keys.h"
 #include "scene/limits.h"

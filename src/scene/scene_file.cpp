@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/letters.h"
-#include "base/nearest.h"
+#include "base/words.h"
 #include "embedded/scenes.h"
 #include "scene/fields.h"
 #include "scene/mesh_files.h"

@@ -8,7 +8,7 @@
 #include "body/dimensions.h"
 #include "scene/fields.h"
 #include "scene/shown_recording.h"
-#include "system/sha256.h"
+#include "system/bytes.h"
 
 namespace twrench::scene {
 namespace {

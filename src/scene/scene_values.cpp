@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/nearest.h"
+#include "base/words.h"
 #include "scene/dimensions.h"
 #include "scene/fields.h"
 #include "scene/interior.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/nearest.h"
+#include "base/words.h"
 #include "scene/fields.h"
 
 namespace twrench::scene {

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
+#include <span>
 
 #include "scene/scene.h"
-#include "sound/loudness.h"
 #include "sound/motion_course.h"
 
 namespace twrench::sound {
+
+/// Receives samples, left and right alternating. Returns whether it takes more.
+using Sink = std::function<bool(std::span<const float>)>;
+
+/// Returns the integrated loudness of a sound in LUFS (ITU-R BS.1770), which `play` passes to its
+/// argument in pieces; -infinity if it is silent. A sound too short to have a loudness, less than
+/// 0.4 s, is repeated.
+double loudness(const std::function<void(const Sink&)>& play);
 
 /// The sound of a film's motion: 48 kHz, stereo, with an integrated loudness of -16 LUFS and true
 /// peaks below -1 dB, or silence if nothing moves. It is synthesised again whenever it is needed

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <span>
 
-#include "sound/sample_rate.h"
-
 namespace twrench::sound {
 namespace {
 

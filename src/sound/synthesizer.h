@@ -65,4 +65,10 @@ class Synthesizer {
   double accent_ = 0.0, accent_before_ = 0.0;  ///< The tone's last two samples.
 };
 
+/// Samples per second and channel.
+inline constexpr int sample_rate = 48'000;
+
+/// Number of channels: left and right. The samples of both alternate.
+inline constexpr int channels = 2;
+
 }  // namespace twrench::sound

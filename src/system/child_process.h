@@ -6,9 +6,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "system/descriptor.h"
@@ -93,6 +95,33 @@ class ChildProcess {
   int status_ = 0;
   std::string error_output_;
   std::optional<TerminationAction> kill_;  ///< Until it has been reaped.
+};
+
+/// A pipe for the output of a child process, which is read on its own thread while the child works.
+class OutputPipe {
+ public:
+  /// Receives the bytes piece by piece, on the thread of the pipe. Must not throw.
+  using Receive = std::function<void(std::span<const std::uint8_t>)>;
+
+  /// Throws std::system_error.
+  explicit OutputPipe(Receive receive);
+  ~OutputPipe() { finish(); }
+  OutputPipe(const OutputPipe&) = delete;
+  OutputPipe& operator=(const OutputPipe&) = delete;
+
+  /// Returns the end that the child writes to.
+  int descriptor() const { return write_end_.get(); }
+
+  /// Waits until all output of the child, which must have ended, was received.
+  void finish();
+
+ private:
+  void read_all();
+
+  Receive receive_;
+  Descriptor read_end_, write_end_;
+  std::atomic<bool> has_ended_ = false;
+  std::thread reader_;
 };
 
 }  // namespace twrench::system

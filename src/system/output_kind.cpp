@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "base/argument.h"
-#include "base/letters.h"
-#include "base/nearest.h"
+#include "base/words.h"
 
 namespace twrench::system {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "system/error.h"
 #include "system/file_kind.h"
 #include "table/aem_header.h"

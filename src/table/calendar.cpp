@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "table/number_text.h"
 
 namespace twrench::table {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "table/dialect.h"
 #include "table/line_reader.h"
 #include "table/number_text.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "system/error.h"
 #include "system/file_kind.h"
 #include "table/line_reader.h"

@@ -14,8 +14,9 @@ struct Range {
 };
 
 /// Control characters, line separators, and invisible format characters (Unicode category Cf):
-/// those that change direction, join, separate or tag.
-constexpr std::array<Range, 11> unseen{{{0x00, 0x1F},
+/// those that change direction, join, separate or tag. U+FFFE and U+FFFF are no characters, and XML
+/// does not allow them (XML 1.0, 2.2).
+constexpr std::array<Range, 12> unseen{{{0x00, 0x1F},
                                         {0x7F, 0x9F},
                                         {0xAD, 0xAD},
                                         {0x61C, 0x61C},
@@ -25,6 +26,7 @@ constexpr std::array<Range, 11> unseen{{{0x00, 0x1F},
                                         {0x2060, 0x206F},
                                         {0xFEFF, 0xFEFF},
                                         {0xFFF9, 0xFFFB},
+                                        {0xFFFE, 0xFFFF},
                                         {0xE0000, 0xE007F}}};
 
 bool is_unseen(char32_t point) {
@@ -62,5 +64,18 @@ std::string escape(std::string_view text) {
   }
   return shown;
 }
+
+std::string with_references(std::string_view text) {
+  constexpr std::string_view markup = "&<>\"";
+  constexpr std::array references{"&amp;", "&lt;", "&gt;", "&quot;"};
+  std::string result;
+  for (const char c : text) {
+    const std::size_t at = markup.find(c);
+    result += at == std::string_view::npos ? std::string(1, c) : references[at];
+  }
+  return result;
+}
+
+std::string escape_xml(std::string_view text) { return with_references(escape(text)); }
 
 }  // namespace twrench::text

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "base/enumeration.h"
-#include "base/letters.h"
+#include "base/words.h"
 
 namespace twrench::video {
 namespace {

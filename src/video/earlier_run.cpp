@@ -6,11 +6,11 @@
 #include <system_error>
 #include <utility>
 
+#include "system/bytes.h"
 #include "system/error.h"
 #include "system/file.h"
-#include "system/sha256.h"
 #include "video/frame_range.h"
-#include "video/manifest_folder.h"
+#include "video/manifest.h"
 
 namespace twrench::video {
 namespace {

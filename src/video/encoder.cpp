@@ -12,11 +12,10 @@
 #include <system_error>
 #include <utility>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "system/file.h"
 #include "system/program.h"
 #include "video/error.h"
-#include "video/ffprobe.h"
 #include "video/video_file.h"
 
 namespace twrench::video {

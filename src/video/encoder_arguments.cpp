@@ -10,7 +10,7 @@
 #include <sstream>
 #include <utility>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "video/animated_image.h"
 #include "video/error.h"
 

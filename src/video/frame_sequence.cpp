@@ -4,8 +4,8 @@
 #include <functional>
 #include <utility>
 
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench::video {
 

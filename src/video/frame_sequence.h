@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "system/error.h"
-#include "system/folder_lock.h"
+#include "system/file_lock.h"
 #include "system/pending_file.h"
 #include "video/manifest.h"
 

@@ -10,7 +10,7 @@
 
 #include "system/error.h"
 #include "video/codec.h"
-#include "video/shard.h"
+#include "video/frame_range.h"
 
 namespace twrench::video {
 
@@ -114,5 +114,14 @@ Manifest read_manifest(const std::filesystem::path& path);
 /// frames is read: a folder may contain a thousand manifests of a thousand frames. Throws as
 /// read_manifest() does.
 Manifest read_manifest_head(const std::filesystem::path& path);
+
+/// Returns the manifests in a folder of frames, of the whole video and of shards, sorted by name.
+/// Empty if there is no such folder. Throws FileError if it cannot be read.
+std::vector<std::filesystem::path> manifests_in(const std::filesystem::path& folder);
+
+/// Returns all manifests of the folder merged into one, whose range is the union of the requested
+/// ranges. Throws FileError if there is none, if one is invalid, or if they disagree on the video
+/// or on the digest of a frame.
+Manifest read_manifests(const std::filesystem::path& folder);
 
 }  // namespace twrench::video

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "image/png.h"
@@ -14,10 +18,91 @@
 #include "system/file.h"
 #include "video/frame_range.h"
 #include "video/manifest.h"
-#include "video/manifest_value.h"
 
 namespace twrench::video {
 namespace {
+
+/// A value of a manifest and its path, such as "frames[3].X", for error messages. Refers to the
+/// JSON, which must outlive it. The functions that read a value throw FileError if it has another
+/// form.
+class ManifestValue {
+ public:
+  /// `manifest` names the manifest in messages; `path` is empty for the whole of it.
+  ManifestValue(const nlohmann::ordered_json& value, std::string manifest, std::string path);
+
+  /// Throws FileError "cannot use MANIFEST: PATH must be EXPECTED".
+  [[noreturn]] void fail(const std::string& expected) const;
+
+  const nlohmann::ordered_json& value() const { return value_; }
+
+  /// Returns the value of a key of an object.
+  ManifestValue key(const char* name) const;
+  /// Returns an item of an array, which must have that index.
+  ManifestValue item(std::size_t index) const;
+  std::size_t size_of_array() const;
+
+  std::string text() const;
+  /// A finite number.
+  double number() const;
+  int integer(int least, int most) const;
+  /// An array of exactly N numbers.
+  template <std::size_t N>
+  std::array<double, N> numbers() const {
+    const auto is_number = [](const nlohmann::ordered_json& item) { return item.is_number(); };
+    if (!value_.is_array() || value_.size() != N ||
+        !std::all_of(value_.begin(), value_.end(), is_number)) {
+      fail(fmt::format("an array of {} numbers", N));
+    }
+    return value_.get<std::array<double, N>>();
+  }
+
+ private:
+  const nlohmann::ordered_json& value_;
+  std::string manifest_;
+  std::string path_;
+};
+
+ManifestValue::ManifestValue(const nlohmann::ordered_json& value, std::string manifest,
+                             std::string path)
+    : value_(value), manifest_(std::move(manifest)), path_(std::move(path)) {}
+
+void ManifestValue::fail(const std::string& expected) const {
+  throw system::FileError("cannot use " + manifest_,
+                          fmt::format("{} must be {}", path_.empty() ? "it" : path_, expected));
+}
+
+ManifestValue ManifestValue::key(const char* name) const {
+  if (!value_.is_object() || !value_.contains(name))
+    fail(fmt::format("an object with \"{}\"", name));
+  return {value_[name], manifest_, path_.empty() ? name : path_ + "." + name};
+}
+
+ManifestValue ManifestValue::item(std::size_t index) const {
+  return {value_[index], manifest_, fmt::format("{}[{}]", path_, index)};
+}
+
+std::size_t ManifestValue::size_of_array() const {
+  if (!value_.is_array()) fail("an array");
+  return value_.size();
+}
+
+std::string ManifestValue::text() const {
+  if (!value_.is_string()) fail("a string");
+  return value_.get<std::string>();
+}
+
+double ManifestValue::number() const {
+  if (!value_.is_number() || !std::isfinite(value_.get<double>())) fail("a number");
+  return value_.get<double>();
+}
+
+int ManifestValue::integer(int least, int most) const {
+  const double number = value_.is_number_integer() ? value_.get<double>() : std::nan("");
+  if (!(number >= least && number <= most)) {
+    fail(fmt::format("an integer from {} to {}", least, most));
+  }
+  return static_cast<int>(number);
+}
 
 using Json = nlohmann::ordered_json;
 

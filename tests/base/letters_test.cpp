@@ -1,6 +1,6 @@
-#include "base/letters.h"
-
 #include <gmock/gmock.h>
+
+#include "base/words.h"
 
 namespace twrench {
 namespace {

@@ -1,9 +1,9 @@
-#include "base/nearest.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
+
+#include "base/words.h"
 
 namespace twrench {
 namespace {

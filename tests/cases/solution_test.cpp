@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/enumeration.h"
-#include "cases/case_json.h"
 #include "motion/reference.h"
 
 namespace twrench::cases {

@@ -11,8 +11,8 @@
 
 #include "cli/held_run.h"
 #include "cli/twrench.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench {
 namespace {

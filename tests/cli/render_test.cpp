@@ -14,8 +14,8 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "run_command.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench {
 namespace {

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "scratch_folder.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench {
 

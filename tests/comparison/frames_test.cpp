@@ -1,8 +1,7 @@
-#include "comparison/frames.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "comparison/comparison.h"
 #include "comparison/film_folders.h"
 
 namespace twrench::comparison {

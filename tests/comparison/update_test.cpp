@@ -1,9 +1,8 @@
-#include "comparison/update.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "comparison/film_folders.h"
+#include "comparison/request.h"
 
 namespace twrench::comparison {
 namespace {

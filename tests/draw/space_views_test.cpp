@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "draw/body_painter.h"
-#include "draw/draw_list_painter.h"
+#include "draw/draw_list_pass.h"
 #include "gl/test_context.h"
 #include "picture/body/bounding_radius.h"
 #include "picture/overlay/body_overlay.h"

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "gl/error.h"
-#include "gl/library.h"
+#include "gl/functions.h"
 #include "gl_fixture.h"
 
 namespace twrench::gl {

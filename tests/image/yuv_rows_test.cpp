@@ -1,9 +1,9 @@
-#include "image/yuv_rows.h"
-
 #include <gmock/gmock.h>
 
 #include <random>
 #include <vector>
+
+#include "image/yuv.h"
 
 namespace twrench::image {
 namespace {

@@ -8,9 +8,8 @@
 #include "mesh/refusal.h"
 #include "mesh/samples.h"
 #include "scratch_folder.h"
-#include "system/base64.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 
 namespace twrench::mesh {
 namespace {

@@ -25,7 +25,7 @@
 #include "picture/body/meshes.h"
 #include "picture/look/theme.h"
 #include "sanitizers.h"
-#include "system/base64.h"
+#include "system/bytes.h"
 
 namespace twrench::page {
 namespace {

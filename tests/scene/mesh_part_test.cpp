@@ -13,8 +13,8 @@
 #include "scene/scene.h"
 #include "scene/scene_json.h"
 #include "scratch_folder.h"
+#include "system/bytes.h"
 #include "system/error.h"
-#include "system/sha256.h"
 
 namespace twrench::scene {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sound/sample_rate.h"
+#include "sound/synthesizer.h"
 
 namespace twrench::sound {
 namespace {

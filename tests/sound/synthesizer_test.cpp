@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "sound/sample_rate.h"
-
 namespace twrench::sound {
 namespace {
 

@@ -1,8 +1,8 @@
-#include "system/base64.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "system/bytes.h"
 
 namespace twrench::system {
 namespace {

@@ -1,9 +1,8 @@
-#include "system/folder_lock.h"
-
 #include <gtest/gtest.h>
 
 #include "scratch_folder.h"
 #include "system/error.h"
+#include "system/file_lock.h"
 
 namespace twrench::system {
 namespace {

@@ -1,5 +1,3 @@
-#include "system/output_pipe.h"
-
 #include <gtest/gtest.h>
 
 #include <csignal>

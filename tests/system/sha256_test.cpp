@@ -1,9 +1,9 @@
-#include "system/sha256.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
+
+#include "system/bytes.h"
 
 namespace twrench::system {
 namespace {

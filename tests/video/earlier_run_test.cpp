@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "system/bytes.h"
 #include "system/file.h"
-#include "system/sha256.h"
 #include "video/manifest.h"
-#include "video/manifest_folder.h"
 
 namespace twrench::video {
 namespace {

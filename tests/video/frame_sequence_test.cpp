@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "system/bytes.h"
 #include "system/error.h"
 #include "system/file.h"
-#include "system/sha256.h"
 #include "video/manifest.h"
 
 namespace twrench::video {

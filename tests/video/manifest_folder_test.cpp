@@ -1,5 +1,3 @@
-#include "video/manifest_folder.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include "system/file.h"
 #include "video/error.h"
 #include "video/frame_range.h"
+#include "video/manifest.h"
 
 namespace twrench::video {
 namespace {

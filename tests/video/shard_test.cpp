@@ -1,7 +1,7 @@
-#include "video/shard.h"
-
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
+
+#include "video/frame_range.h"
 
 namespace twrench::video {
 namespace {

@@ -1,5 +1,3 @@
-#include "video/sound_file.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,6 +15,7 @@
 #include "system/error.h"
 #include "system/file.h"
 #include "video/error.h"
+#include "video/sound_track.h"
 #include "video/stub_ffmpeg.h"
 
 namespace twrench::video {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/require.h"
-#include "body/equal_moments.h"
+#include "body/moments.h"
 #include "motion/energy_contours.h"
 #include "motion/scheme.h"
 #include "scene/limits.h"

@@ -5,12 +5,11 @@
 #include <memory>
 #include <sstream>
 
+#include "app/options/command_line.h"
 #include "app/options/help.h"
-#include "app/options/option_group.h"
-#include "app/options/usage.h"
 #include "app/terminal/error_report.h"
 #include "app/terminal/version.h"
-#include "base/nearest.h"
+#include "base/words.h"
 #include "system/output.h"
 
 namespace twrench::app {

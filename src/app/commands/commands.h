@@ -4,7 +4,7 @@
 
 #include "app/options/command_line.h"
 #include "app/options/command_model.h"
-#include "app/terminal/exit_code.h"
+#include "app/terminal/error_report.h"
 
 namespace twrench::app {
 
@@ -31,6 +31,10 @@ void add_schema(CLI::App& app);
 
 /// Adds all commands and their common options.
 void add_commands(CLI::App& app, ExitCode& code);
+
+/// Returns a line for each scene, by name or file: its name, title and motion. The line of a scene
+/// with a mistake has the mistake instead.
+std::string scene_list(const std::vector<std::string>& names);
 
 /// The options of the program and its commands, for manual pages and completions.
 struct ProgramModel {

@@ -10,7 +10,7 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/terminal/error_report.h"
 #include "app/terminal/message.h"
 #include "canvas/font.h"

@@ -5,7 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/options/video_options.h"
 #include "app/terminal/progress.h"
 #include "scene/limits.h"

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "app/commands/commands.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_options.h"
-#include "app/reports/page_pictures.h"
+#include "app/terminal/error_report.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
 #include "page/page_html.h"

@@ -3,13 +3,13 @@
 #include <utility>
 
 #include "app/commands/commands.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "motion/visible_error.h"
 #include "plot/attitude_plot.h"
-#include "report/attitude_curve.h"
+#include "report/solution.h"
 
 namespace twrench::app {
 namespace {

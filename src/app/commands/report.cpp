@@ -7,13 +7,15 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/commands/commands.h"
-#include "app/options/option_group.h"
+#include "app/options/arguments.h"
+#include "app/options/command_line.h"
 #include "app/options/output_options.h"
-#include "app/options/report_commands.h"
 #include "app/options/scene_options.h"
-#include "app/reports/page_pictures.h"
+#include "app/terminal/error_report.h"
 #include "app/terminal/message.h"
 #include "app/terminal/version.h"
 #include "base/enumeration.h"
@@ -22,10 +24,40 @@
 #include "report/command_lines.h"
 #include "report/file.h"
 #include "report/results.h"
+#include "system/program.h"
 #include "text/escape.h"
 
 namespace twrench::app {
 namespace {
+
+/// Returns the command line of `twrench report` with the given arguments, and with --static if
+/// `is_static`.
+std::string report_command_line(const CLI::App& command, const SceneOptions& scenes,
+                                const std::string& output, bool is_static) {
+  std::vector<std::string> words{"twrench", "report"};
+  if (command.count("SCENE") > 0) {
+    for (const std::string& source : scenes.sources()) words.push_back(report::argument_of(source));
+  }
+  const std::vector<std::string> mesh = scenes.mesh_options().given();
+  words.insert(words.end(), mesh.begin(), mesh.end());
+  const auto others =
+      given_options(command, {"--omega", "--attitude", "--wheel", "--energy-loss-time", "--inertia",
+                              "--method", "--step", "--tolerance", "--duration", "--fps", "--speed",
+                              "--language", "--author", "--date"});
+  words.insert(words.end(), others.begin(), others.end());
+  if (is_static) words.emplace_back("--static");
+  words.insert(words.end(), {"-o", report::argument_of(output)});
+  return system::shell_command(words);
+}
+
+/// Returns the command lines for an experiment. `source` is its scene as an argument and, if it is
+/// a mesh, the options of the mesh; `command` is that of the report, whose options apply to them.
+report::Commands commands_of(const scene::Scene& scene, const std::vector<std::string>& source,
+                             const CLI::App& command) {
+  return report::commands_of(scene, source, given_options(command, {"--inertia"}),
+                             given_options(command, {"--omega", "--attitude", "--wheel",
+                                                     "--energy-loss-time", "--duration"}));
+}
 
 const std::vector<std::string> three_experiments{"dzhanibekov", "stable-y", "stable-z"};
 

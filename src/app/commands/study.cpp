@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "app/commands/commands.h"
+#include "app/commands/study_report.h"
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_options.h"
-#include "app/reports/study_report.h"
 #include "app/terminal/message.h"
 #include "plot/gnuplot.h"
 #include "plot/study_plot.h"

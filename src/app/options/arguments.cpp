@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/options/option_group.h"
-#include "base/nearest.h"
+#include "app/options/command_line.h"
+#include "base/words.h"
 
 namespace twrench::app {
 namespace {

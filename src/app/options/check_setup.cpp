@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/options/command_line.h"
-#include "app/options/option_group.h"
 
 namespace twrench::app {
 

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/terminal/message.h"
 #include "scene/limits.h"
 

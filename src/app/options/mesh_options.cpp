@@ -6,7 +6,7 @@
 #include <array>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/terminal/message.h"
 #include "scene/limits.h"
 #include "scene/mesh_scene.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 
 namespace twrench::app {
 

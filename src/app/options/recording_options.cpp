@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "recording/recording.h"
 #include "replay/replay.h"
 #include "scene/limits.h"

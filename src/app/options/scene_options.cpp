@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
 #include "scene/fields.h"

@@ -7,7 +7,6 @@
 
 #include "app/options/command_line.h"
 #include "app/options/mesh_options.h"
-#include "app/options/option_group.h"
 #include "app/options/recording_options.h"
 #include "scene/fields.h"
 #include "scene/scene.h"

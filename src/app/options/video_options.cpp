@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/options/arguments.h"
-#include "app/options/option_group.h"
+#include "app/options/command_line.h"
 #include "base/enumeration.h"
 #include "system/file.h"
 

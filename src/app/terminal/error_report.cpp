@@ -229,4 +229,11 @@ ExitCode report_termination(const system::TerminationMessage& message) {
                 message.error, message.remedy);
 }
 
+film::PagePictures pictures_or_nothing(const scene::Scene& scene, bool has_article) try {
+  return film::page_pictures(scene, has_article, {});
+} catch (const gl::GlError& error) {
+  warn(fmt::format("the page has no fallback pictures: {}", error.what()));
+  return {};
+}
+
 }  // namespace twrench::app

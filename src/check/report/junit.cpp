@@ -4,7 +4,7 @@
 
 #include "base/enumeration.h"
 #include "check/report/report.h"
-#include "text/xml.h"
+#include "text/escape.h"
 
 namespace twrench::check {
 namespace {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "body/equal_moments.h"
+#include "body/moments.h"
 #include "picture/body/bounding_radius.h"
 
 namespace twrench::picture {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "canvas/canvas.h"
 #include "canvas/typesetting.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/letters.h"
+#include "base/words.h"
 
 namespace twrench::picture {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "image/dither.h"
+#include "image/image.h"
 #include "picture/look/theme.h"
 
 namespace twrench::picture {

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "base/letters.h"
+#include "base/words.h"
 #include "recording/columns/column_words.h"
 #include "recording/columns/columns.h"
 #include "recording/columns/stated_unit.h"

@@ -7,8 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/letters.h"
-#include "base/nearest.h"
+#include "base/words.h"
 #include "recording/columns/column_sets.h"
 #include "recording/conventions/names.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/enumeration.h"
-#include "base/letters.h"
+#include "base/words.h"
 #include "recording/columns/column_sets.h"
 #include "recording/columns/columns.h"
 #include "recording/columns/derived_times.h"

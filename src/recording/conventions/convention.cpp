@@ -10,8 +10,7 @@
 
 #include "base/argument.h"
 #include "base/enumeration.h"
-#include "base/letters.h"
-#include "base/nearest.h"
+#include "base/words.h"
 #include "recording/conventions/names.h"
 #include "recording/conventions/units.h"
 

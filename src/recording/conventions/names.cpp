@@ -8,8 +8,7 @@
 #include <map>
 
 #include "base/enumeration.h"
-#include "base/letters.h"
-#include "base/nearest.h"
+#include "base/words.h"
 
 namespace twrench::recording {
 namespace {

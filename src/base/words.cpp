@@ -1,0 +1,83 @@
+#include "base/words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <sstream>
+
+namespace twrench {
+
+std::string to_lower(std::string_view text) {
+  std::string small(text);
+  for (char& c : small) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return small;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+namespace {
+
+/// Returns the optimal string alignment distance: Levenshtein's distance with transpositions of
+/// adjacent letters.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before_last(b.size() + 1);
+  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    row[j] = j;
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before_last, last);
+    std::swap(last, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({change, last[j] + 1, row[j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before_last[j - 2] + 1);
+      }
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates) {
+  std::optional<std::string> best;
+  std::size_t best_distance = 0;
+  for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    const std::size_t distance = edit_distance(to_lower(name), to_lower(candidate));
+    // One letter in three may be wrong. Beyond that, it is a different word.
+    if (distance > std::max<std::size_t>(1, longer / 3) || distance == longer) {
+      continue;
+    }
+    const bool is_nearer = !best || distance < best_distance ||
+                           (distance == best_distance && candidate.size() > best->size());
+    if (is_nearer) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+InvalidArgument unknown_name(const std::string& what, std::string_view name,
+                             std::span<const std::string> candidates) {
+  std::string remedy = fmt::format("one of: {}", fmt::join(candidates, ", "));
+  if (const auto meant = nearest(name, candidates)) {
+    remedy = fmt::format("did you mean '{}'? {}", *meant, remedy);
+  }
+  return {what, fmt::format("unknown name '{}'", name), remedy};
+}
+
+}  // namespace twrench
