@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -42,9 +43,13 @@ struct Figure {
 
 /// A numbered equation.
 struct Formula {
-  std::string tex;   ///< In TeX, as far as mathml() supports it.
+  std::string tex, mathml;
   std::string says;  ///< The meaning of its symbols, and its source.
 };
+
+/// Returns the formula with that name in formulas.txt, of which each three lines have a name, the
+/// formula in TeX, and the same as the content of <math>.
+Formula formula(std::string_view name, std::string says);
 
 /// A list, as of references.
 struct List {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/numbers.h"
 #include "report/sections.h"
+#include "report/tables.h"
 
 namespace twrench::report {
 namespace {
@@ -139,12 +139,8 @@ void add_inertia(Section& section, const Solution& solution, Citations& citation
       Subheading{Phrase("(c) The inertia of the T-wrench", "(c) Treghetsmomentet til T-nøkkelen")
                      .in(language)});
   section.content.emplace_back(parts_table(handle, leg, *solution.experiment));
-  section.content.emplace_back(Formula{
-      R"(\begin{aligned} I_{xx} &= \frac{M_1 R_1^2}{4} + \frac{M_1 L_1^2}{12} + )"
-      R"(\frac{M_2 R_2^2}{2} \\ I_{yy} &= M_1 R_1^2 + \frac{M_2 L_2^2}{4} + \frac{M_1 R_1^2}{2} )"
-      R"(+ \frac{M_2 R_2^2}{4} + \frac{M_2 L_2^2}{12} \\ I_{zz} &= M_1 R_1^2 + )"
-      R"(\frac{M_2 L_2^2}{4} + \frac{M_1 R_1^2}{4} + \frac{M_1 L_1^2}{12} + \frac{M_2 R_2^2}{4} )"
-      R"(+ \frac{M_2 L_2^2}{12} \end{aligned})",
+  section.content.emplace_back(formula(
+      "wrench_inertia",
       Phrase(
           "Eq. (46)-(48) of {}: M, L and R are the masses, lengths and radii of the parts 1 and 2, "
           "M = πR²Lρ. The first two terms of Iyy and Izz move the axes of the parts to the common "
@@ -152,7 +148,7 @@ void add_inertia(Section& section, const Solution& solution, Citations& citation
           "Likning (46)-(48) i {}: M, L og R er massene, lengdene og radiene til delene 1 og 2, "
           "M = πR²Lρ. De to første leddene i Iyy og Izz flytter aksene til delene til det felles "
           "massesenteret, origo. Treghetsproduktene er null.")
-          .in(language, citations.specification())});
+          .in(language, citations.specification())));
   section.content.emplace_back(printed_inertia_table(handle, leg, solution));
   section.content.emplace_back(axes_table(*solution.experiment));
   section.content.emplace_back(Paragraph{

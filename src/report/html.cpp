@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
 #include "base/enumeration.h"
-#include "embedded/report_style.h"
-#include "report/mathml.h"
+#include "embedded/report_files.h"
 #include "text/escape.h"
 
 namespace twrench::report {
@@ -83,7 +86,7 @@ class HtmlWriter {
     write_(
         fmt::format("<div class=\"formula\"><math display=\"block\">{}</math><span>({})</span>"
                     "<p>{}</p></div>\n",
-                    mathml(formula.tex), ++formulas_, html(formula.says)));
+                    formula.mathml, ++formulas_, html(formula.says)));
   }
 
   void operator()(const List& list) {
@@ -124,11 +127,21 @@ void write_head(const Document& document, const Viewer* viewer, const Write& wri
   write(fmt::format(
       "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n<header>\n<h1>{}</h1>\n"
       "{}<p>{}</p>\n{}</header>\n",
-      html(document.title), embedded::report_style().at("report.css"), html(document.title),
+      html(document.title), embedded::report_files().at("report.css"), html(document.title),
       byline(document), html(document.program), command_html(document.command)));
 }
 
 }  // namespace
+
+Formula formula(std::string_view name, std::string says) {
+  std::istringstream lines{std::string(embedded::report_files().at("formulas.txt"))};
+  std::string title, tex, mathml, blank;
+  while (std::getline(lines, title) && std::getline(lines, tex) && std::getline(lines, mathml)) {
+    if (title == name) return {tex, mathml, std::move(says)};
+    std::getline(lines, blank);
+  }
+  throw std::logic_error(fmt::format("there is no formula '{}'", name));
+}
 
 void write_html(const Document& document, const Viewer* viewer, const Write& write) {
   write_head(document, viewer, write);

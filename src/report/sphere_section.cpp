@@ -5,9 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "report/numbers.h"
 #include "report/sections.h"
-#include "report/study_tables.h"
+#include "report/tables.h"
 
 namespace twrench::report {
 namespace {
@@ -78,8 +77,8 @@ Section sphere_section(const TaskCommands& commands, Language language, Citation
              "For en kule med I = Id, X(0) = Id og L = (1, 0, 0) sier likning (19) i "
              "{} at ω = XᵀL. Altså er Ω hattmatrisen til XᵀL, og likning (20) blir")
           .in(language, citations.specification())});
-  section.content.emplace_back(Formula{
-      R"(\Omega = X^T \hat L X ,\quad \dot X = X \Omega = X X^T \hat L X = \hat L X)",
+  section.content.emplace_back(formula(
+      "sphere",
       Phrase(
           "because the hat of Rv, for a rotation R, is R v̂ Rᵀ: for every a, Rv × a = R(v × Rᵀa). "
           "Here R = Xᵀ. X is a rotation at all times, because d(XXᵀ)/dt = XΩXᵀ + XΩᵀXᵀ = 0, as "
@@ -87,7 +86,7 @@ Section sphere_section(const TaskCommands& commands, Language language, Citation
           "fordi hattmatrisen til Rv, for en rotasjon R, er R v̂ Rᵀ: For alle a er Rv × a = R(v × "
           "Rᵀa). Her er R = Xᵀ. X er en rotasjon til alle tider, fordi d(XXᵀ)/dt = XΩXᵀ + XΩᵀXᵀ "
           "= 0, siden Ωᵀ = −Ω.")
-          .in(language)});
+          .in(language)));
   section.content.emplace_back(Paragraph{
       Phrase(
           "This is a linear equation with constant coefficients. Its right-hand side is Lipschitz "
@@ -102,13 +101,12 @@ Section sphere_section(const TaskCommands& commands, Language language, Citation
           "ledd, viser den at exp(tL̂) er en løsning:")
           .in(language)});
   section.content.emplace_back(
-      Formula{R"(X(t) = \exp(t \hat L) = \begin{pmatrix} 1 & 0 & 0 \\ 0 & \cos t & -\sin t \\ )"
-              R"(0 & \sin t & \cos t \end{pmatrix})",
+      formula("sphere_attitude",
               Phrase("The matrix follows from eq. (21) of {} with Ω = L̂, w = 1. As L̂L = 0, "
                      "ω = XᵀL = (1, 0, 0) is constant: the sphere turns about x at 1 rad/s.",
                      "Matrisen følger av likning (21) i {} med Ω = L̂, w = 1. Siden L̂L = 0, er "
                      "ω = XᵀL = (1, 0, 0) konstant: Kulen roterer om x med 1 rad/s.")
-                  .in(language, citations.specification())});
+                  .in(language, citations.specification())));
   section.content.emplace_back(sphere_table(commands, language));
   return section;
 }

@@ -9,8 +9,8 @@ void add_motion(Section& section, Language language, Citations& citations) {
   const std::string specification = citations.specification();
   section.content.emplace_back(
       Subheading{Phrase("The body and its motion", "Legemet og bevegelsen").in(language)});
-  section.content.emplace_back(Formula{
-      R"(L = X I \omega ,\quad T = \frac{1}{2} \omega \cdot I \omega)",
+  section.content.emplace_back(formula(
+      "momentum",
       Phrase(
           "The attitude X is the rotation matrix whose columns are the body axes in space: it "
           "takes "
@@ -24,11 +24,9 @@ void add_motion(Section& section, Language language, Citations& citations) {
           "rad/s. L er dreieimpulsen (spinnet) i rommets akser, g cm²/s, likning (12), og T den "
           "kinetiske rotasjonsenergien, g cm²/s², likning (14); i {0} heter de dreiemomentet og K "
           "{1}. Uten kraftmoment er begge konstante.")
-          .in(language, specification, citations.cite(feynman))});
-  section.content.emplace_back(Formula{
-      R"(\dot X = X \Omega ,\quad \omega = I^{-1} X^T L ,\quad \Omega = \hat \omega = )"
-      R"(\begin{pmatrix} 0 & -\omega_z & \omega_y \\ \omega_z & 0 & -\omega_x \\ )"
-      R"(-\omega_y & \omega_x & 0 \end{pmatrix})",
+          .in(language, specification, citations.cite(feynman))));
+  section.content.emplace_back(formula(
+      "motion",
       Phrase("The equations of motion, eq. (18)-(20) of {}. The dot is the derivative with respect "
              "to the time t, Xᵀ the transpose, and X(0) = Id, the identity. The hat makes a matrix "
              "of a vector such that ω̂ v = ω × v for every vector v. The solution stays in SO(3), "
@@ -37,22 +35,21 @@ void add_motion(Section& section, Language language, Citations& citations) {
              "tiden t, Xᵀ er den transponerte, og X(0) = Id er identitetsmatrisen. Hatten gjør en "
              "vektor om til en matrise, hattmatrisen, slik at ω̂ v = ω × v for alle vektorer v. "
              "Løsningen blir værende i SO(3), gruppen av rotasjonsmatriser: XᵀX = Id.")
-          .in(language, specification)});
-  section.content.emplace_back(Formula{
-      R"(\exp(h \Omega) = \mathrm{Id} + \frac{\sin w h}{w} \Omega + \frac{1 - \cos w h}{w^2} )"
-      R"(\Omega^2 ,\quad w = |\omega|)",
+          .in(language, specification)));
+  section.content.emplace_back(formula(
+      "exponential",
       Phrase("The rotation by the angle wh about ω, eq. (21) of {}. For constant ω, X exp(hΩ) is "
              "the attitude a time h after X; it is again a rotation, eq. (22).",
              "Rotasjonen med vinkelen wh om ω, likning (21) i {}. For konstant ω er X exp(hΩ) "
              "stillingen en tid h etter X; den er igjen en rotasjon, likning (22).")
-          .in(language, specification)});
+          .in(language, specification)));
 }
 
 void add_methods(Section& section, Language language, Citations& citations) {
   const std::string specification = citations.specification();
   section.content.emplace_back(Subheading{Phrase("The methods", "Metodene").in(language)});
-  section.content.emplace_back(Formula{
-      R"(W' = W \exp(h \Omega) ,\quad \omega = I^{-1} W^T L)",
+  section.content.emplace_back(formula(
+      "lie_euler",
       Phrase(
           "The Lie-Euler method, eq. (25) of {}. W approximates X before a step of the length "
           "h, W′ after it. Euler's method, eq. (24), W′ = W + hWΩ, leaves SO(3); Lie-Euler "
@@ -60,22 +57,17 @@ void add_methods(Section& section, Language language, Citations& citations) {
           "Lie-Euler-metoden, likning (25) i {}. W er tilnærmingen til X før et steg med lengden "
           "h, W′ etter steget. Eulers metode, likning (24), W′ = W + hWΩ, forlater SO(3); det "
           "kan ikke Lie-Euler gjøre.")
-          .in(language, specification)});
-  section.content.emplace_back(Formula{
-      R"(\begin{aligned} s_1 &= I^{-1} W^T L ,\quad s_2 = I^{-1} \exp\left(-\frac{h}{2} S_1\right) )"
-      R"(W^T L ,\quad s_3 = I^{-1} \exp\left(-\frac{h}{2} S_2\right) W^T L , \\ )"
-      R"(s_4 &= I^{-1} \exp(-h S_3) W^T L ,\quad W' = W \exp\left(\frac{h}{6} )"
-      R"((S_1 + 2 S_2 + 2 S_3 + S_4)\right) \end{aligned})",
+          .in(language, specification)));
+  section.content.emplace_back(formula(
+      "rk4",
       Phrase(
           "RK4, section 4.4 of {}. The s are the angular velocities of four stages; S is the "
           "hat of s.",
           "RK4, avsnitt 4.4 i {}. s-ene er vinkelhastighetene i fire trinn; S er hattmatrisen til "
           "s.")
-          .in(language, specification)});
-  section.content.emplace_back(Formula{
-      R"(\begin{aligned} s_k &= I^{-1} \exp\left(-h \sum_j a_{kj} S_j\right) W^T L ,\quad )"
-      R"(W' = W \exp\left(h \sum_k b_k S_k\right) , \\ Z' &= W \exp\left(h \sum_k c_k S_k\right) )"
-      R"(,\quad E = \|W' - Z'\|_F \end{aligned})",
+          .in(language, specification)));
+  section.content.emplace_back(formula(
+      "rkf45",
       Phrase(
           "RKF45, section 4.5 of {0}, with Fehlberg's coefficients a, b and c, eq. (39), of "
           "six stages. The norm with the index F is Frobenius', the square root of the sum of the "
@@ -87,14 +79,13 @@ void add_methods(Section& section, Language language, Citations& citations) {
           "av elementene. E er et estimat av feilen i steget, som godtas hvis E er under "
           "toleransen "
           "τ. Det neste steget er 0.8 (τ/E)^(1/5) ganger så langt, innenfor visse grenser {1}.")
-          .in(language, specification, citations.cite(sauer))});
+          .in(language, specification, citations.cite(sauer))));
 }
 
 void add_products(Section& section, Language language, Citations& citations) {
   const std::string introduction = citations.cite(lie_integrators);
-  section.content.emplace_back(Formula{
-      R"(\dot u = \omega + \frac{1}{2} u \times \omega + \frac{1 - (\theta / 2) \cot(\theta / 2)})"
-      R"({\theta^2} u \times (u \times \omega) ,\quad X = W \exp(\hat u) ,\quad \theta = |u|)",
+  section.content.emplace_back(formula(
+      "coordinates",
       Phrase(
           "The equation of the coordinates u of the attitude within a step {0}. RK4 and RKF45 of "
           "{1} average the velocities s. They therefore solve u̇ = ω and leave out the products. "
@@ -110,7 +101,7 @@ void add_products(Section& section, Language language, Citations& citations) {
           "de "
           "samme koeffisientene og beholder produktene {2}.")
           .in(language, introduction, citations.specification(),
-              citations.cite_method(motion::find_method("rkmk4").source))});
+              citations.cite_method(motion::find_method("rkmk4").source))));
 }
 
 void add_exact_motion(Section& section, Language language, Citations& citations) {
@@ -118,8 +109,8 @@ void add_exact_motion(Section& section, Language language, Citations& citations)
   section.content.emplace_back(
       Subheading{Phrase("The exact motion and its flips", "Den eksakte bevegelsen og vendingene")
                      .in(language)});
-  section.content.emplace_back(Formula{
-      R"(D_i = G^2 - 2 T I_i ,\quad G = |L| ,\quad I_1 \le I_2 \le I_3)",
+  section.content.emplace_back(formula(
+      "moments",
       Phrase(
           "In the principal axes, with the moments I₁ to I₃, the motion is known in closed "
           "form: ω consists of Jacobi's elliptic functions of λt {} {}. D₁ is never negative and "
@@ -129,54 +120,41 @@ void add_exact_motion(Section& section, Language language, Citations& citations)
           "består av Jacobis elliptiske funksjoner av λt {} {}. D₁ er aldri negativ og D₃ aldri "
           "positiv. L kretser om aksen med minst treghetsmoment hvis D₂ < 0, og om aksen med "
           "størst hvis D₂ > 0. For D₂ = 0, på separatrisen, kretser den ikke om noen av dem.")
-          .in(language, jacobi, citations.cite(landau))});
-  section.content.emplace_back(Formula{
-      R"(\begin{aligned} D_2 < 0: \quad & \lambda = \sqrt{\frac{(I_2 - I_1) |D_3|}{I_1 I_2 I_3}} )"
-      R"(,\quad 1 - m = \frac{|D_2| (I_3 - I_1)}{|D_3| (I_2 - I_1)} ,\quad )"
-      R"(A = \sqrt{\frac{D_1}{I_2 (I_2 - I_1)}} \\ D_2 > 0: \quad & )"
-      R"(\lambda = \sqrt{\frac{(I_3 - I_2) D_1}{I_1 I_2 I_3}} ,\quad )"
-      R"(1 - m = \frac{D_2 (I_3 - I_1)}{D_1 (I_3 - I_2)} ,\quad )"
-      R"(A = \sqrt{\frac{|D_3|}{I_2 (I_3 - I_2)}} \end{aligned})",
+          .in(language, jacobi, citations.cite(landau))));
+  section.content.emplace_back(formula(
+      "closed_form",
       Phrase("λ is the rate of the argument, 1/s, m the parameter of the elliptic functions, and A "
              "the largest |ω₂|, rad/s, where ω₂ is the component of ω along the intermediate axis: "
              "ω₂ = ±A sn(λ(t − t₁), m).",
              "λ er endringsraten til argumentet, 1/s, m parameteren til de elliptiske "
              "funksjonene, og A den største |ω₂|, rad/s, der ω₂ er komponenten av ω "
              "langs den midterste aksen: ω₂ = ±A sn(λ(t − t₁), m).")
-          .in(language)});
+          .in(language)));
   section.content.emplace_back(
-      Formula{R"(t_n = t_1 + (n - 1) \frac{2 K(m)}{\lambda} ,\quad K(m) = F(\pi / 2, m) ,\quad )"
-              R"(F(\varphi, m) = \int_0^{\varphi} \frac{d \theta}{\sqrt{1 - m \sin^2 \theta}})",
+      formula("flips",
               Phrase("The times of the flips, where ω₂ changes sign. F is the elliptic integral of "
                      "the first kind, K the complete one. Near the separatrix 2K/λ tends to "
                      "ln(16/(1 − m))/λ.",
                      "Tidspunktene for vendingene, der ω₂ skifter fortegn. F er det elliptiske "
                      "integralet av første slag, K det fullstendige. Nær separatrisen går 2K/λ mot "
                      "ln(16/(1 − m))/λ.")
-                  .in(language)});
-  section.content.emplace_back(Formula{
-      R"(t_1 = \begin{cases} F(\varphi, m) / \lambda & \text{)" +
-          Phrase("if ", "hvis ").in(language) + R"(} |\omega_2| \text{)" +
-          Phrase(" decreases at ", " avtar ved ").in(language) +
-          R"(} t = 0 \\ (2 K(m) - F(\varphi, m)) / \lambda & \text{)" +
-          Phrase("if not", "ellers").in(language) +
-          R"(} \end{cases} \quad \sin \varphi = \frac{|\omega_2(0)|}{A} ,\quad )"
-          R"(\sin \frac{\theta_s}{2} = \frac{I_2 A}{G})",
+                  .in(language)));
+  section.content.emplace_back(formula(
+      Phrase("first_flip_en", "first_flip_nb").in(language),
       Phrase("The first flip, and the swing θ with the index s: the angle through which the "
              "intermediate axis swings from one side of the plane normal to L to the other. The "
              "body turns over if the swing is at least 120 degrees; otherwise it wobbles.",
              "Den første vendingen, og utslaget θ med indeksen s: vinkelen som den midterste aksen "
              "svinger gjennom fra den ene siden av planet normalt på L til den andre. Legemet snur "
-             "hvis utslaget er minst 120 grader; ellers slingrer det.")
-          .in(language)});
+              "hvis utslaget er minst 120 grader; ellers slingrer det.")
+          .in(language)));
 }
 
 void add_interior(Section& section, Language language, Citations& citations) {
   section.content.emplace_back(
       Subheading{Phrase("A wheel and energy loss", "Svinghjul og energitap").in(language)});
-  section.content.emplace_back(Formula{
-      R"(\begin{aligned} w &= I^{-1} (m - h) ,\quad m = X^T L ,\quad \omega = w + a (m \times w) )"
-      R"(, \\ T &= \frac{1}{2} w \cdot I w ,\quad \dot T = - a |m \times w|^2 \end{aligned})",
+  section.content.emplace_back(formula(
+      "interior",
       Phrase(
           "The rate ω at which X turns if the body contains a wheel and loses energy {}. m is "
           "the momentum in body axes, h that of the wheel relative to the body, constant in body "
@@ -188,22 +166,20 @@ void add_interior(Section& section, Language language, Citations& citations) {
           "forhold til legemet, konstant i legemets akser, g cm²/s, og a ≥ 0 er koeffisienten "
           "for energitapet, s/(g cm²). L forblir konstant. Den konstante energien til svinghjulet "
           "er ikke med i T. Vinkelhastighetene ved t = 0 i tabellene gjelder w.")
-          .in(language, citations.cite(double_bracket))});
-  section.content.emplace_back(Formula{
-      R"(a = \frac{2}{\tau G^2 (1 / I_1 + 1 / I_2 - 2 / I_3)} ,\quad G = |L|)",
+          .in(language, citations.cite(double_bracket))));
+  section.content.emplace_back(formula(
+      "nutation",
       Phrase("Without a wheel, the amplitude of a small nutation about the axis of greatest moment "
              "decays with the time constant τ.",
              "Uten svinghjul avtar amplituden til en liten nutasjon om aksen med størst "
              "treghetsmoment med tidskonstanten τ.")
-          .in(language)});
+          .in(language)));
 }
 
 void add_errors(Section& section, Language language) {
   section.content.emplace_back(Subheading{Phrase("Errors", "Feil").in(language)});
-  section.content.emplace_back(Formula{
-      R"(e_X = \|X - X_{\text{)" + Phrase("exact", "eksakt").in(language) +
-          R"(}}\|_F ,\quad e_T = |T / T_0 - 1| ,\quad e_{SO(3)} = \|X^T X - \mathrm{Id}\|_F )"
-          R"(,\quad e_L = |X I \omega - L| / |L|)",
+  section.content.emplace_back(formula(
+      Phrase("errors_en", "errors_nb").in(language),
       Phrase(
           "The error of the attitude, the energy drift (T₀ is the energy at t = 0), the distance "
           "from SO(3), and the error of the momentum. Drifts are the largest of all steps. A "
@@ -215,7 +191,7 @@ void add_errors(Section& section, Language language) {
           "største av alle steg. En metode har orden p hvis feilen i X, over en "
           "gitt tid, er proporsjonal med h opphøyd i p; en målt orden er medianen "
           "av stigningstallene til logaritmen av feilen mot logaritmen av h.")
-          .in(language)});
+          .in(language)));
 }
 
 }  // namespace
