@@ -7,7 +7,7 @@
 #include "playground.h"
 #include "scene/materials.h"
 #include "scene/scene.h"
-#include "system/output_kind.h"
+#include "system/output.h"
 #include "video/codec.h"
 
 namespace twrench::torture {

@@ -30,7 +30,7 @@
 #include "draw/renderer.h"
 #include "gl/backend.h"
 #include "gl/child_call.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "image/png.h"
 #include "random_body.h"
 #include "scene/scene.h"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cases/solution.h"
+#include "cases/case.h"
 #include "module.h"
 
 namespace twrench::python {

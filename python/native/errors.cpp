@@ -6,11 +6,11 @@
 
 #include <system_error>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "canvas/error.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "recording/conventions/convention.h"
 #include "recording/conventions/names.h"
 #include "text/escape.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "draw/film_renderer.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "timeline/film_timeline.h"
 
 namespace twrench::python {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "system/file_list.h"
+#include "system/output.h"
 
 namespace twrench::python {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "film/page_pictures.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "interchange/export.h"
 #include "interruptible.h"
 #include "module.h"

@@ -11,7 +11,7 @@
 
 #include "app/commands/commands.h"
 #include "app/terminal/error_report.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "gl/functions.h"
 #include "system/termination.h"
 

@@ -1,11 +1,10 @@
-#include "comparison/chart.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "comparison/report.h"
 #include "text/escape.h"
 
 namespace twrench::comparison {

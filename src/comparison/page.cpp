@@ -1,5 +1,3 @@
-#include "comparison/page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "comparison/chart.h"
+#include "comparison/report.h"
 #include "embedded/comparison_page.h"
 #include "image/png.h"
 #include "system/bytes.h"

@@ -29,4 +29,14 @@ void write_json(const Comparison& comparison, const Write& write);
 /// Writes JUnit XML for continuous-integration servers: a test case for each frame.
 void write_junit(const Comparison& comparison, const Write& write);
 
+/// Writes an HTML page that shows the results, the worst frame first, with the expected image, the
+/// actual one and their difference. The page is self-contained: it embeds its style, script and
+/// pictures. It has pictures of as many frames as are useful to look at, and no more than a browser
+/// loads at once; the other frames are listed. Throws FileError, and whatever `write` throws.
+void write_page(const Comparison& comparison, const Write& write);
+
+/// Returns an HTML figure that shows how much each frame of a film differs, on a logarithmic scale.
+/// A bar for several frames shows the worst of them.
+std::string difference_chart(const Comparison& comparison);
+
 }  // namespace twrench::comparison

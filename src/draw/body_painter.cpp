@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "draw/rectangle.h"
+#include "draw/view_painter.h"
 
 namespace twrench::draw {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "draw/rectangle.h"
+#include "draw/view_painter.h"
 #include "embedded/shaders.h"
 #include "gl/objects.h"
 #include "picture/space/screen_area.h"

@@ -3,7 +3,7 @@
 #include <deque>
 #include <vector>
 
-#include "gl/readback.h"
+#include "gl/framebuffer.h"
 #include "image/image.h"
 
 namespace twrench::draw {
@@ -49,5 +49,9 @@ class PendingExposure {
   Exposure exposure_;
   std::deque<gl::Readback> in_transfer_;
 };
+
+/// Returns the mean, in linear light, of two pictures of the same size: `share` of the second and
+/// the rest of the first. Both are RGB, or RGBA with unpremultiplied alpha.
+image::Image cross_fade(const image::Image& from, const image::Image& to, double share);
 
 }  // namespace twrench::draw

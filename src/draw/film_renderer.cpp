@@ -9,7 +9,7 @@
 
 #include "canvas/error.h"
 #include "canvas/font.h"
-#include "draw/cross_fade.h"
+#include "draw/exposure.h"
 #include "picture/compose/layout.h"
 #include "picture/hud/caption.h"
 #include "picture/look/theme.h"

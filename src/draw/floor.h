@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "draw/body_pass.h"
-#include "draw/pending_layer.h"
+#include "draw/view_painter.h"
 #include "gl/framebuffer.h"
 #include "image/area.h"
 #include "picture/body/shadow_balls.h"

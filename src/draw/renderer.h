@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gl/context.h"
-#include "gl/readback.h"
+#include "gl/framebuffer.h"
 #include "image/frame.h"
 #include "image/image.h"
 #include "picture/space/camera.h"

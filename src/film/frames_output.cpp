@@ -9,7 +9,7 @@
 
 #include "film/error.h"
 #include "image/png.h"
-#include "system/disk_space.h"
+#include "system/file.h"
 #include "video/frame_range.h"
 
 namespace twrench::film {

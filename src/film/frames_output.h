@@ -9,7 +9,6 @@
 
 #include "image/image.h"
 #include "system/error.h"
-#include "video/earlier_run.h"
 #include "video/frame_sequence.h"
 
 namespace twrench::film {

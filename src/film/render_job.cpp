@@ -17,7 +17,7 @@
 #include "system/child_process.h"
 #include "system/error.h"
 #include "system/file.h"
-#include "system/file_list.h"
+#include "system/output.h"
 #include "system/processors.h"
 #include "video/codec.h"
 #include "video/frame_range.h"

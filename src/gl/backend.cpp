@@ -12,7 +12,7 @@
 
 #include "base/enumeration.h"
 #include "gl/child_call.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "gl/framebuffer.h"
 #include "gl/functions.h"
 

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gl/error.h"
+#include "gl/context.h"
 
 namespace twrench::gl {
 namespace {

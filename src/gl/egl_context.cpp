@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "gl/context.h"
-#include "gl/error.h"
 #include "gl/functions.h"
 
 namespace twrench::gl {

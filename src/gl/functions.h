@@ -6,7 +6,6 @@
 #include <string>
 
 #include "gl/context.h"
-#include "gl/error.h"
 
 namespace twrench::gl {
 

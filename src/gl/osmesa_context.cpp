@@ -4,7 +4,6 @@
 #include <array>
 
 #include "gl/context.h"
-#include "gl/error.h"
 #include "gl/functions.h"
 
 namespace twrench::gl {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "gl/error.h"
+#include "gl/context.h"
 
 namespace twrench::gl {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "interchange/aem.h"
 #include "interchange/gltf_scene.h"
 #include "scene/shown_recording.h"

@@ -9,7 +9,7 @@
 #include "interchange/samples.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
-#include "system/output_kind.h"
+#include "system/output.h"
 
 namespace twrench::interchange {
 

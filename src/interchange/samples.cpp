@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/argument.h"
 #include "base/parallel.h"
+#include "base/words.h"
 #include "motion/visible_error.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"

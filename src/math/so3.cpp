@@ -4,7 +4,6 @@
 
 #include "base/require.h"
 #include "math/so3_formulas.h"
-#include "math/unaligned.h"
 
 namespace twrench::so3 {
 

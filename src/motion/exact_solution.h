@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "math/elliptic.h"
-#include "math/unaligned.h"
+#include "math/so3_formulas.h"
 
 namespace twrench::motion {
 

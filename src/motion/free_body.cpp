@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/require.h"
-#include "math/unaligned.h"
+#include "math/so3_formulas.h"
 #include "motion/unchecked.h"
 
 namespace twrench::motion {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "math/unaligned.h"
+#include "math/so3_formulas.h"
 #include "motion/unchecked.h"
 
 namespace twrench::motion {

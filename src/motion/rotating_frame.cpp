@@ -3,7 +3,7 @@
 #include <twrench/motion/stability.h>
 
 #include "base/require.h"
-#include "math/unaligned.h"
+#include "math/so3_formulas.h"
 
 namespace twrench::motion {
 

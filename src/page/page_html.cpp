@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "base/argument.h"
 #include "base/enumeration.h"
+#include "base/words.h"
 #include "embedded/page.h"
 #include "page/page_json.h"
 #include "page/recording_json.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "system/memory_file.h"
+#include "system/descriptor.h"
 #include "system/program.h"
 
 namespace twrench::plot {

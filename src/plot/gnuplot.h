@@ -9,7 +9,7 @@
 #include "base/time_unit.h"
 #include "scene/scene.h"
 #include "system/error.h"
-#include "system/file_list.h"
+#include "system/output.h"
 #include "system/pending_file.h"
 
 namespace twrench::plot {

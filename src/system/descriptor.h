@@ -2,7 +2,11 @@
 
 #include <unistd.h>
 
+#include <string>
+#include <string_view>
 #include <utility>
+
+#include "system/error.h"
 
 namespace twrench::system {
 
@@ -32,6 +36,24 @@ class Descriptor {
 
  private:
   int descriptor_ = -1;
+};
+
+/// A file without a name, in memory, that a child process can read or write through the descriptor
+/// that it inherits.
+class MemoryFile {
+ public:
+  /// Creates a file with the text. Throws FileError.
+  explicit MemoryFile(std::string_view text);
+
+  /// Returns the descriptor, which is at the start of the text.
+  int descriptor() const { return descriptor_.get(); }
+
+  /// Returns the whole contents, for example the output of a child that has ended. Throws
+  /// FileError.
+  std::string contents() const;
+
+ private:
+  Descriptor descriptor_;
 };
 
 }  // namespace twrench::system

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "system/pending_file.h"
-#include "video/encoder_arguments.h"
+#include "video/codec.h"
 #include "video/video_file.h"
 
 namespace twrench::video {

@@ -15,7 +15,7 @@
 #include "system/bytes.h"
 #include "system/error.h"
 #include "system/file.h"
-#include "system/file_list.h"
+#include "system/output.h"
 #include "system/processors.h"
 #include "video/encoder.h"
 #include "video/error.h"

@@ -15,11 +15,11 @@
 #include "image/image.h"
 #include "image/yuv.h"
 #include "system/child_process.h"
+#include "system/descriptor.h"
 #include "system/error.h"
-#include "system/memory_file.h"
 #include "system/pending_file.h"
 #include "video/animated_image.h"
-#include "video/encoder_arguments.h"
+#include "video/codec.h"
 #include "video/sound_track.h"
 #include "video/text_tracks.h"
 

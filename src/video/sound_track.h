@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "system/child_process.h"
-#include "system/memory_file.h"
+#include "system/descriptor.h"
 #include "video/codec.h"
-#include "video/encoder_arguments.h"
 
 namespace twrench::video {
 

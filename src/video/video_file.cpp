@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "system/bytes.h"
-#include "system/memory_file.h"
+#include "system/descriptor.h"
 #include "system/program.h"
 #include "video/animated_image.h"
 #include "video/error.h"

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// Arguments of other programs.
 constexpr std::array foreign{"\"--default-settings\""};  // gnuplot's, without a user's ~/.gnuplot
 
-/// The source that prints command lines. The others mention an argument (base/argument.h), which
+/// The source that prints command lines. The others mention an argument (base/words.h), which
 /// the program words as an option.
 constexpr std::string_view of_command_lines = "src/report/command_lines.cpp";
 

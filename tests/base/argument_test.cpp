@@ -1,6 +1,6 @@
-#include "base/argument.h"
-
 #include <gtest/gtest.h>
+
+#include "base/words.h"
 
 namespace twrench {
 namespace {

@@ -1,5 +1,3 @@
-#include "canvas/font_choice.h"
-
 #include <gtest/gtest.h>
 
 #include "canvas/font_bytes.h"

@@ -1,7 +1,5 @@
 // Compares the exact values of the cases with an independent series of 40 digits, and the published
 // values with both.
-#include "cases/solution.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/enumeration.h"
+#include "cases/case.h"
 #include "motion/reference.h"
 
 namespace twrench::cases {

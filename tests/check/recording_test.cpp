@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "check/hypotheses/hypotheses.h"
 #include "check/recordings.h"
 #include "check/report/choice.h"

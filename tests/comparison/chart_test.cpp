@@ -1,7 +1,7 @@
-#include "comparison/chart.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "comparison/report.h"
 
 namespace twrench::comparison {
 namespace {

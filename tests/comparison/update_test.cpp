@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "comparison/comparison.h"
 #include "comparison/film_folders.h"
-#include "comparison/request.h"
 
 namespace twrench::comparison {
 namespace {

@@ -1,8 +1,8 @@
-#include "draw/cross_fade.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+
+#include "draw/exposure.h"
 
 namespace twrench::draw {
 namespace {

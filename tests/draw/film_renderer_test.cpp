@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "draw/cross_fade.h"
+#include "draw/exposure.h"
 #include "gl/test_context.h"
 #include "image/compare.h"
 #include "picture/compose/layout.h"

@@ -1,6 +1,6 @@
-#include "draw/rectangle.h"
-
 #include <gtest/gtest.h>
+
+#include "draw/view_painter.h"
 
 namespace twrench::draw {
 namespace {

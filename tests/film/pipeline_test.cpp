@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "gl/error.h"
+#include "gl/context.h"
 #include "image/png.h"
 #include "scratch_folder.h"
 #include "system/error.h"

@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "gl/backend.h"
-#include "gl/error.h"
+#include "gl/context.h"
 
 namespace twrench::gl {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "gl/error.h"
 #include "gl/functions.h"
 #include "gl_fixture.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "gl/error.h"
+#include "gl/context.h"
 #include "gl_fixture.h"
 
 namespace twrench::gl {

@@ -1,10 +1,8 @@
-#include "gl/readback.h"
-
 #include <array>
 #include <initializer_list>
 #include <vector>
 
-#include "gl/error.h"
+#include "gl/context.h"
 #include "gl/framebuffer.h"
 #include "gl_fixture.h"
 

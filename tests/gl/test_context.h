@@ -6,7 +6,7 @@
 #include <string>
 
 #include "gl/backend.h"
-#include "gl/error.h"
+#include "gl/context.h"
 
 namespace twrench::gl {
 

@@ -1,10 +1,10 @@
-#include "report/html.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <string_view>
+
+#include "report/file.h"
 
 namespace twrench::report {
 namespace {

@@ -1,8 +1,8 @@
-#include "system/disk_space.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "system/file.h"
 
 namespace twrench::system {
 namespace {

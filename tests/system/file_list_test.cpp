@@ -1,5 +1,3 @@
-#include "system/file_list.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
@@ -7,6 +5,7 @@
 
 #include "scratch_folder.h"
 #include "system/file.h"
+#include "system/output.h"
 
 namespace twrench::system {
 namespace {

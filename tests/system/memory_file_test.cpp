@@ -1,11 +1,10 @@
-#include "system/memory_file.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <string>
 
 #include "system/child_process.h"
+#include "system/descriptor.h"
 
 namespace twrench::system {
 namespace {

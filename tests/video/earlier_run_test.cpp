@@ -1,5 +1,3 @@
-#include "video/earlier_run.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include "scratch_folder.h"
 #include "system/bytes.h"
 #include "system/file.h"
+#include "video/frame_sequence.h"
 #include "video/manifest.h"
 
 namespace twrench::video {

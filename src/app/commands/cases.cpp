@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "app/commands/commands.h"
-#include "app/options/output_options.h"
+#include "app/options/arguments.h"
 #include "base/enumeration.h"
 #include "cases/case.h"
-#include "cases/solution.h"
 #include "system/output.h"
 
 namespace twrench::app {

@@ -8,7 +8,6 @@
 #include "app/options/arguments.h"
 #include "app/options/check_setup.h"
 #include "app/options/command_line.h"
-#include "app/options/output_options.h"
 #include "app/terminal/message.h"
 #include "check/report/checked_file.h"
 #include "check/report/report.h"

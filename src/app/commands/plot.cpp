@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "app/commands/commands.h"
+#include "app/options/arguments.h"
 #include "app/options/command_line.h"
-#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "motion/visible_error.h"

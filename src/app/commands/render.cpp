@@ -22,7 +22,7 @@
 #include "app/options/video_options.h"
 #include "app/terminal/message.h"
 #include "app/terminal/progress.h"
-#include "base/argument.h"
+#include "base/words.h"
 #include "film/pipeline.h"
 #include "film/render_job.h"
 #include "image/picture_memory.h"

@@ -13,7 +13,6 @@
 #include "app/commands/commands.h"
 #include "app/options/arguments.h"
 #include "app/options/command_line.h"
-#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/error_report.h"
 #include "app/terminal/message.h"

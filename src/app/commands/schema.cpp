@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
-#include "app/options/output_options.h"
+#include "app/options/arguments.h"
 #include "scene/scene_schema.h"
 #include "system/output.h"
 

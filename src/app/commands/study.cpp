@@ -11,7 +11,6 @@
 #include "app/commands/study_report.h"
 #include "app/options/arguments.h"
 #include "app/options/command_line.h"
-#include "app/options/output_options.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "plot/gnuplot.h"

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/options/command_line.h"
 #include "base/words.h"
 
 namespace twrench::app {
@@ -144,6 +143,35 @@ void add_progress_option(CLI::App& command, std::string& style) {
 bool is_progress_json(const CLI::App& command) {
   const CLI::Option* const option = command.get_option_no_throw("--progress");
   return option != nullptr && option->count() > 0 && option->results().back() == "json";
+}
+
+void add_overwrite_option(CLI::App& command, bool& overwrite) {
+  command
+      .add_flag("--overwrite", overwrite,
+                "replace existing files that twrench did not write, or that are of another kind")
+      ->group(heading(OptionGroup::output));
+}
+
+OutputOptions::OutputOptions(CLI::App& command, const system::OutputKind& kind, Otherwise otherwise)
+    : kind_(kind) {
+  using Choice = system::OutputKind::Choice;
+  const bool streams = kind.choice != Choice::files_only;
+  CLI::Option* const output =
+      command
+          .add_option("-o,--output", path_,
+                      fmt::format("output file, {}{}", system::listed_endings(kind),
+                                  streams ? "; - for standard output" : ""))
+          ->type_name("FILE")
+          ->group(heading(OptionGroup::output));
+  otherwise == Otherwise::none ? output->required() : output->capture_default_str();
+  if (kind.has_format_option()) {
+    std::vector<std::string> names;
+    for (const system::OutputFormat& format : kind.formats) names.emplace_back(format.name);
+    add_format_option(command, format_, names)
+        ->default_str("the ending of the file" +
+                      (kind.choice == Choice::by_default ? ", else " + names.front() : ""));
+  }
+  add_overwrite_option(command, overwrite_);
 }
 
 }  // namespace twrench::app

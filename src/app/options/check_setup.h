@@ -9,7 +9,7 @@
 #include "cases/case.h"
 #include "check/verdict/problem.h"
 #include "scene/scene.h"
-#include "system/file_list.h"
+#include "system/output.h"
 
 namespace twrench::app {
 

@@ -10,7 +10,7 @@
 #include "app/options/recording_options.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
-#include "system/file_list.h"
+#include "system/output.h"
 
 namespace twrench::app {
 

@@ -10,11 +10,11 @@
 #include <system_error>
 
 #include "app/terminal/message.h"
-#include "base/argument.h"
+#include "base/words.h"
 #include "canvas/error.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "interchange/error.h"
 #include "plot/gnuplot.h"
 #include "recording/columns/columns.h"

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "recording/conventions/convention.h"
 
 namespace twrench::check {

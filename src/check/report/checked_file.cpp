@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "check/report/choice.h"
 #include "check/verdict/error.h"
 #include "recording/columns/unread_columns.h"

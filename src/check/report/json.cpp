@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "base/argument.h"
 #include "base/enumeration.h"
+#include "base/words.h"
 #include "check/report/report.h"
 #include "recording/conventions/convention.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "check/report/alternative_text.h"
 #include "recording/conventions/convention.h"
 #include "text/escape.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "check/report/result.h"
 
 namespace twrench::check {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "check/report/alternative_text.h"
 #include "check/report/law_text.h"
 #include "check/report/result.h"

@@ -8,7 +8,6 @@
 #include <optional>
 #include <string_view>
 
-#include "base/argument.h"
 #include "base/enumeration.h"
 #include "base/words.h"
 #include "recording/conventions/names.h"

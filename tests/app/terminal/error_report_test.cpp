@@ -6,7 +6,7 @@
 #include <string>
 
 #include "canvas/error.h"
-#include "gl/error.h"
+#include "gl/context.h"
 #include "plot/gnuplot.h"
 #include "recording/columns/columns.h"
 #include "system/error.h"

@@ -1,7 +1,6 @@
-#include "system/memory_file.h"
+#include "system/descriptor.h"
 
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
