@@ -10,7 +10,6 @@
 #include "base/parallel.h"
 #include "base/words.h"
 #include "comparison/report.h"
-#include "image/picture_memory.h"
 #include "image/png.h"
 #include "system/file.h"
 #include "system/file_lock.h"
@@ -165,7 +164,6 @@ Comparison compare_folders(const Inputs& folders, const Criteria& criteria,
         "cannot compare " + folders.expected.string() + " with " + folders.actual.string(),
         "neither has a frame, a file called *.png");
   }
-  image::keep_memory_of_pictures(1920, 1080);  // larger ones are slow in any case
   Comparison comparison{folders, criteria, std::vector<FrameResult>(names.size())};
   std::mutex mutex;
   int done = 0;

@@ -9,7 +9,6 @@
 
 #include "image/image.h"
 #include "image/png.h"
-#include "image/png_chunks.h"
 #include "image/similarity.h"
 #include "system/error.h"
 

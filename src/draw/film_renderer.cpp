@@ -58,7 +58,6 @@ FilmRenderer::FilmRenderer(gl::Context& context, const scene::Scene& film)
 /// Destroys the renderers of the shots that neither the frame shows nor a frame in progress uses.
 /// This happens on the drawing thread, because their OpenGL objects are destroyed with them.
 void FilmRenderer::leave_others(const timeline::FilmFrame& frame) {
-  const std::lock_guard lock(mutex_);
   std::erase_if(stages_, [&](const auto& stage) {
     return stage->shot != frame.shot && !(frame.previous && stage->shot + 1 == frame.shot) &&
            stage.use_count() == 1;
@@ -71,11 +70,9 @@ std::shared_ptr<FilmRenderer::Stage> FilmRenderer::stage(const timeline::FilmTim
       stages_, [&](const std::shared_ptr<Stage>& stage) { return stage->shot == shot; });
   if (found != stages_.end()) return *found;
   const scene::Scene& scene = timeline::scene_of_shot(film_, shot);
-  auto made =
-      std::make_shared<Stage>(Stage{shot, Renderer(context_, scene, timeline.solutions(shot))});
-  const std::lock_guard lock(mutex_);
-  stages_.push_back(made);
-  return made;
+  stages_.push_back(
+      std::make_shared<Stage>(Stage{shot, Renderer(context_, scene, timeline.solutions(shot))}));
+  return stages_.back();
 }
 
 picture::Camera FilmRenderer::camera(const timeline::FilmTimeline& timeline,
@@ -106,13 +103,6 @@ image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
     previous.fetch();
   };
   return {fetch, [own, previous, share = frame.faded] { return faded(previous, own, share); }};
-}
-
-void FilmRenderer::reuse(image::Frame frame) noexcept {
-  const std::lock_guard lock(mutex_);
-  for (const auto& stage : stages_) {
-    if (stage->renderer.drew(frame)) return stage->renderer.reuse(std::move(frame));
-  }
 }
 
 std::size_t FilmRenderer::frames_ahead() const {

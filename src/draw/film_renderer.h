@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,9 +37,6 @@ class FilmRenderer {
     return begin(timeline, frame, camera(timeline, frame)).get();
   }
 
-  /// Takes back a frame, as Renderer::reuse() does. Thread-safe.
-  void reuse(image::Frame frame) noexcept;
-
   /// Returns how many frames should be in progress before the oldest is completed.
   std::size_t frames_ahead() const;
 
@@ -64,8 +60,7 @@ class FilmRenderer {
   const scene::Scene& film_;
   std::string typeface_digest_;
   std::optional<std::string> caption_warning_;
-  std::mutex mutex_;  ///< Guards the vector of the shots being drawn, a few at most.
-  std::vector<std::shared_ptr<Stage>> stages_;
+  std::vector<std::shared_ptr<Stage>> stages_;  ///< A few at most.
 };
 
 }  // namespace twrench::draw

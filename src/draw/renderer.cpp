@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "canvas/font.h"
-#include "draw/blank_frames.h"
 #include "draw/body_painter.h"
 #include "draw/draw_list_pass.h"
 #include "gl/framebuffer.h"
@@ -84,7 +83,7 @@ struct Renderer::Parts {
   std::optional<picture::LabelPainter> label_painter;  // over both
   std::vector<image::Area> taken;                      // areas that labels avoid
   bool shows_body = false;
-  std::optional<BlankFrames> blank;
+  std::shared_ptr<const image::Image> still;  // the static background
 
   void add_bodies(const scene::Scene& scene, const std::vector<timeline::Solution>& solutions,
                   const Layout& layout);
@@ -94,8 +93,6 @@ struct Renderer::Parts {
                   const Layout& layout);
   /// The static background. `camera`, if given, replaces the first view's own.
   image::Image background(const std::optional<Camera>& camera);
-  /// A frame that shows `other_background`, or the blank one.
-  image::Frame blank_frame(std::optional<image::Image> other_background);
   Ingredients draw(timeline::FrameState state, const std::optional<Camera>& camera);
   image::Frame composited(Ingredients& drawn);
 };
@@ -115,7 +112,7 @@ Renderer::Parts::Parts(gl::Context& context, const scene::Scene& scene,
   label_painter.emplace(typeface.regular, layout.text.readout,
                         picture::style_of(scene.look.theme).overlay.panel,
                         image::Area{0, 0, scene.film.width, scene.film.height}, taken);
-  blank.emplace(background({}));
+  still = std::make_shared<const image::Image>(background({}));
 }
 
 /// Adds a view of the body for each motion.
@@ -200,14 +197,6 @@ image::Image Renderer::Parts::background(const std::optional<Camera>& camera) {
   return picture;
 }
 
-image::Frame Renderer::Parts::blank_frame(std::optional<image::Image> other_background) {
-  image::Frame frame = blank->acquire();
-  if (!other_background) return frame;
-  frame.image = std::move(*other_background);
-  frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
-  return frame;
-}
-
 /// Draws the views. `camera`, if given, replaces the first view's own.
 Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
                                             const std::optional<Camera>& camera) {
@@ -228,7 +217,8 @@ Renderer::Ingredients Renderer::Parts::draw(timeline::FrameState state,
 }
 
 image::Frame Renderer::Parts::composited(Ingredients& drawn) {
-  image::Frame frame = blank_frame(std::move(drawn.background));
+  image::Frame frame{drawn.background ? std::move(*drawn.background) : *still, {}, true, still};
+  if (drawn.background) frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
   const auto add = [&](auto& layer, bool is_dimmed) {
     if (is_dimmed) scale_opacity(layer, picture::dimmed_opacity);
     std::ranges::move(composite_over(frame.image, layer), std::back_inserter(frame.damage));
@@ -276,19 +266,12 @@ image::PendingFrame Renderer::begin(timeline::FrameState state,
           [drawn, parts = parts_.get()] { return parts->composited(*drawn); }};
 }
 
-bool Renderer::drew(const image::Frame& frame) const noexcept {
-  return frame.background == parts_->blank->bands();
-}
-
-void Renderer::reuse(image::Frame frame) noexcept { parts_->blank->give_back(std::move(frame)); }
-
 std::size_t Renderer::frames_ahead() const {
   return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
 }
 
-const image::Image& Renderer::static_background() const {
-  return parts_->blank->static_background();
-}
+const image::Image& Renderer::static_background() const { return *parts_->still; }
+
 Camera Renderer::camera(const timeline::FrameState& state) const {
   return parts_->views.front().view->camera_in_space(state);
 }

@@ -39,13 +39,6 @@ class Renderer {
 
   image::Frame draw(timeline::FrameState state) { return begin(std::move(state)).get(); }
 
-  /// Returns whether this renderer drew the frame.
-  bool drew(const image::Frame& frame) const noexcept;
-
-  /// Takes back a frame that this renderer drew and that is no longer needed. A later frame can
-  /// reuse its memory, and only its damaged areas must then be restored. Thread-safe.
-  void reuse(image::Frame frame) noexcept;
-
   /// Returns how many frames should be in progress before the oldest is completed, so that drawing
   /// does not wait for reading back.
   std::size_t frames_ahead() const;

@@ -29,22 +29,10 @@ struct Entry {
   std::shared_ptr<const image::Frame> frame;
 };
 
-/// Shares the frame, and returns it to its owner when the last user releases it.
-std::shared_ptr<const image::Frame> lent(image::Frame frame,
-                                         const std::function<void(image::Frame)>& give_back) {
-  if (!give_back) return std::make_shared<const image::Frame>(std::move(frame));
-  return {new image::Frame(std::move(frame)), [&give_back](image::Frame* returned) {
-            give_back(std::move(*std::unique_ptr<image::Frame>(returned)));
-          }};
-}
-
 class Pipeline {
  public:
-  Pipeline(const Drawing& drawing, const Outputs& outputs, StageTimes& times)
-      : drawing_(drawing),
-        outputs_(outputs),
-        times_(times),
-        to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
+  Pipeline(const Outputs& outputs, StageTimes& times)
+      : outputs_(outputs), times_(times), to_compress_(static_cast<std::size_t>(outputs.jobs) + 1) {
     try {
       start_stages();
     } catch (const std::system_error& error) {
@@ -108,7 +96,7 @@ class Pipeline {
       std::shared_ptr<const image::Frame> frame;
       {
         const Timed timed(times_.composite);
-        frame = lent(drawn->frame.composite(), drawing_.reuse);
+        frame = std::make_shared<const image::Frame>(drawn->frame.composite());
       }
       if (outputs_.sequence != nullptr && frame->is_new) to_compress_.push({drawn->record, frame});
       if (outputs_.encoder != nullptr) to_encode_.push({drawn->record, std::move(frame)});
@@ -122,9 +110,7 @@ class Pipeline {
       std::vector<std::uint8_t> png;
       {
         const Timed timed(times_.compress);
-        const auto& [image, damage, is_new, background] = *entry->frame;
-        png =
-            background ? image::encode_png(image, {damage, *background}) : image::encode_png(image);
+        png = image::encode_png(entry->frame->image);
       }
       const Timed timed(times_.write);
       outputs_.sequence->write(*entry->record, png);
@@ -150,7 +136,6 @@ class Pipeline {
     times_.first = std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
   }
 
-  const Drawing& drawing_;
   const Outputs& outputs_;
   StageTimes& times_;
   system::BoundedQueue<DrawnEntry> to_composite_{1};
@@ -166,7 +151,7 @@ class Pipeline {
 
 void run_pipeline(const std::vector<video::FrameRecord>& frames, const Drawing& drawing,
                   const Outputs& outputs, const ProgressCallback& progress, StageTimes& times) {
-  Pipeline pipeline(drawing, outputs, times);
+  Pipeline pipeline(outputs, times);
   std::deque<image::PendingFrame> begun;  // The frames from `done` on.
   std::size_t done = 0;
   const auto begin_next = [&] {

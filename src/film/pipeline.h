@@ -65,9 +65,6 @@ struct Drawing {
   std::function<image::PendingFrame(std::size_t index)> begin;
   /// Number of frames that are begun before the oldest is fetched.
   std::size_t ahead = 0;
-  /// Receives a frame when all stages have finished with it, on the last stage's thread; may be
-  /// empty.
-  std::function<void(image::Frame)> reuse = {};
 };
 
 /// Draws `frames` in sequence on this thread while other threads composite earlier frames, compress

@@ -385,10 +385,7 @@ void RenderJob::run(const ProgressCallback& progress) {
     const fs::path file = output_->folder() / kept->file;
     return image::PendingFrame{[] {}, [=, this] { return read_frame(file, encoder_ != nullptr); }};
   };
-  const auto reuse = [&](image::Frame frame) {
-    if (frame.is_new) renderer_->reuse(std::move(frame));
-  };
-  run_pipeline(frames_, {begin, renderer_->frames_ahead(), reuse},
+  run_pipeline(frames_, {begin, renderer_->frames_ahead()},
                {sequence_, encoder_.get(), settings_.jobs, start_}, progress, times_);
   if (sequence_ != nullptr) sequence_->finish();
   if (encoder_) encoder_->finish();

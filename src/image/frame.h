@@ -6,7 +6,6 @@
 
 #include "image/area.h"
 #include "image/image.h"
-#include "image/row_bands.h"
 
 namespace twrench::image {
 
@@ -18,9 +17,8 @@ struct Frame {
   std::vector<Area> damage;
   /// Whether this run drew it; a frame kept from an earlier run already has its file.
   bool is_new = true;
-  /// The compressed static background, the same object in all frames that have this background;
-  /// null if there is none.
-  std::shared_ptr<StaticBands> background = nullptr;
+  /// The static background, the same object in all frames that have it; null if there is none.
+  std::shared_ptr<const Image> background = nullptr;
 };
 
 /// A frame in progress: it is drawn, but its pixels may still be in transfer, and it is not yet

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "image/image.h"
-#include "image/row_bands.h"
 #include "system/error.h"
 
 namespace twrench::image {
@@ -22,16 +21,10 @@ constexpr int max_image_side = 16384;
 /// InvalidArgument if a side is not 1 to max_image_side.
 std::vector<std::uint8_t> encode_png(const Image& image, std::string_view software = {});
 
-/// Returns the same bytes in less time if `background` shows that rows equal those of other frames.
-std::vector<std::uint8_t> encode_png(const Image& image, const StaticPart& background);
-
 /// Decodes a PNG file, as RGBA if anything can be transparent, otherwise as RGB; gray becomes RGB,
 /// and 16 bits become 8. `name` names the file in errors. Throws FileError if the file is not a
-/// PNG, is too large, or is damaged; all its checksums are verified. `memory`, the pixels of an
-/// image that is no longer needed, is reused, so that the system need not clear pages for each
-/// image.
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
-                 std::vector<std::uint8_t> memory = {});
+/// PNG, is too large, or is damaged; all its checksums are verified.
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Like decode_png(), but keeps all 16 bits of a channel; 8 bits become 16.
 DeepImage decode_deep_png(std::span<const std::uint8_t> bytes, const std::string& name);
@@ -58,5 +51,30 @@ constexpr std::size_t max_png_size = 1U << 30U;
 
 /// Reads an image from a file. Throws FileError if it cannot be read, and as decode_png() does.
 Image read_png(const std::filesystem::path& path);
+
+// The chunk structure of PNG files (PNG specification, 5).
+
+/// The state of the chunks of a file.
+enum class ChunkState { whole, no_png, cut_short, wrong_checksum };
+
+/// Checks that a file consists of chunks with correct checksums up to its end.
+ChunkState check_chunks(std::span<const std::uint8_t> file);
+
+/// A chunk of a file.
+struct Chunk {
+  std::string_view type;
+  std::span<const std::uint8_t> data;
+};
+
+/// Returns the chunks of a file, whose state must be `whole`.
+std::vector<Chunk> chunks_of(std::span<const std::uint8_t> file);
+
+/// Returns the types of the chunks that describe colours (gAMA, iCCP, ...) and differ between two
+/// files; a file without a chunk differs from one with it. The state of both must be `whole`.
+std::vector<std::string_view> different_color_chunks(std::span<const std::uint8_t> a,
+                                                     std::span<const std::uint8_t> b);
+
+/// Returns the number in four bytes, the most significant first (PNG specification, 7.1).
+std::uint32_t png_number(std::span<const std::uint8_t> bytes, std::size_t at);
 
 }  // namespace twrench::image

@@ -1,25 +1,198 @@
 #include <fmt/format.h>
+#include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 #include <spng.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "image/image.h"
-#include "image/plain_png.h"
 #include "image/png.h"
-#include "image/png_chunks.h"
 #include "system/error.h"
 #include "system/file.h"
 #include "system/file_kind.h"
 
 namespace twrench::image {
 namespace {
+
+constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::size_t around_data = 12;  // a chunk's length, type and checksum
+
+}  // namespace
+
+std::uint32_t png_number(std::span<const std::uint8_t> bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (const std::uint8_t byte : bytes.subspan(at, 4)) value = value << 8U | byte;
+  return value;
+}
+
+ChunkState check_chunks(std::span<const std::uint8_t> file) {
+  const auto begin = file.first(std::min(file.size(), signature.size()));
+  if (!std::ranges::equal(begin, signature)) return ChunkState::no_png;
+  for (std::size_t at = signature.size(); at + around_data <= file.size();) {
+    const std::size_t length = png_number(file, at);
+    if (length > file.size() - at - around_data) return ChunkState::cut_short;
+    const auto checked = file.subspan(at + 4, length + 4);  // type and data
+    if (crc32_gzip_refl(0, checked.data(), checked.size()) != png_number(file, at + 8 + length)) {
+      return ChunkState::wrong_checksum;
+    }
+    at += length + around_data;
+    if (std::ranges::equal(checked.first(4), std::string_view("IEND"))) return ChunkState::whole;
+  }
+  return ChunkState::cut_short;
+}
+
+std::vector<Chunk> chunks_of(std::span<const std::uint8_t> file) {
+  std::vector<Chunk> chunks;
+  for (std::size_t at = signature.size(); chunks.empty() || chunks.back().type != "IEND";) {
+    const std::size_t length = png_number(file, at);
+    chunks.push_back(
+        {{reinterpret_cast<const char*>(&file[at + 4]), 4}, file.subspan(at + 8, length)});
+    at += length + around_data;
+  }
+  return chunks;
+}
+
+std::vector<std::string_view> different_color_chunks(std::span<const std::uint8_t> a,
+                                                     std::span<const std::uint8_t> b) {
+  const std::vector<Chunk> chunks_of_a = chunks_of(a), chunks_of_b = chunks_of(b);
+  const auto data = [](const std::vector<Chunk>& chunks, std::string_view type) {
+    const auto found = std::ranges::find(chunks, type, &Chunk::type);
+    return found == chunks.end() ? std::optional<std::span<const std::uint8_t>>() : found->data;
+  };
+  std::vector<std::string_view> types;
+  for (const std::string_view type : {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"}) {
+    const auto of_a = data(chunks_of_a, type), of_b = data(chunks_of_b, type);
+    const bool is_equal = of_a && of_b ? std::ranges::equal(*of_a, *of_b) : !of_a && !of_b;
+    if (!is_equal) types.push_back(type);
+  }
+  return types;
+}
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+enum Filter : std::uint8_t { none = 0, sub = 1, up = 2 };  // PNG specification, 9.2
+
+/// Returns an image without pixels in the format of the header; nothing if that is another format.
+std::optional<Image> plain_format(const Chunk& chunk) {
+  constexpr std::size_t header_size = 13;
+  constexpr std::uint8_t depth = 8, rgb = 2, rgba = 6;
+  if (chunk.type != "IHDR" || chunk.data.size() != header_size) return {};
+  const auto allowed = [](std::uint32_t side) { return side >= 1 && side <= max_image_side; };
+  const std::uint32_t width = png_number(chunk.data, 0), height = png_number(chunk.data, 4);
+  const std::uint8_t color_type = chunk.data[9];
+  const bool is_plain = chunk.data[8] == depth && (color_type == rgb || color_type == rgba);
+  const bool is_standard = chunk.data[10] == 0 && chunk.data[11] == 0 && chunk.data[12] == 0;
+  if (!is_plain || !is_standard || !allowed(width) || !allowed(height)) return {};
+  Image format;
+  format.width = static_cast<int>(width);
+  format.height = static_cast<int>(height);
+  format.channels = color_type == rgba ? 4 : 3;
+  return format;
+}
+
+/// Returns the compressed data; nothing if the file has any chunk besides the header, the data, the
+/// end and the physical size of a pixel.
+std::vector<std::span<const std::uint8_t>> plain_data(std::span<const Chunk> chunks) {
+  std::vector<std::span<const std::uint8_t>> pieces;
+  for (const Chunk& chunk : chunks) {
+    const bool is_pixel_size = pieces.empty() && chunk.type == "pHYs" && chunk.data.size() == 9;
+    if (chunk.type == "IDAT") {
+      pieces.push_back(chunk.data);
+    } else if (chunk.type == "IEND" ? !chunk.data.empty() : !is_pixel_size) {
+      return {};
+    }
+  }
+  return pieces;
+}
+
+/// Inflates data that fill `rows` except for the last byte, and verifies the checksum of the
+/// stream.
+bool inflate_rows(std::span<const std::span<const std::uint8_t>> pieces, Bytes& rows) {
+  const auto state = std::make_unique<inflate_state>();
+  isal_inflate_init(state.get());
+  state->crc_flag = ISAL_ZLIB;
+  state->next_out = rows.data();
+  state->avail_out = static_cast<std::uint32_t>(rows.size());
+  for (const std::span<const std::uint8_t> piece : pieces) {
+    state->next_in = const_cast<std::uint8_t*>(piece.data());  // it is only read
+    state->avail_in = static_cast<std::uint32_t>(piece.size());
+    if (isal_inflate(state.get()) != ISAL_DECOMP_OK) return false;
+    if (state->block_state == ISAL_BLOCK_FINISH) return state->avail_out == 1;
+  }
+  return false;
+}
+
+/// Each sample is stored as the difference from the sample on its left, which is kept in registers.
+template <std::size_t channels>
+void undo_sub(std::span<std::uint8_t> row) {
+  std::array<std::uint8_t, channels> left{};
+  for (std::size_t i = 0; i < row.size(); i += channels) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      left[c] = static_cast<std::uint8_t>(left[c] + row[i + c]);
+      row[i + c] = left[c];
+    }
+  }
+}
+
+/// Each sample is stored as the difference from the sample above.
+void undo_up(std::span<std::uint8_t> row, const std::uint8_t* above) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    row[i] = static_cast<std::uint8_t>(row[i] + above[i]);
+  }
+}
+
+/// Turns rows with a filter byte each into pixels, in place: every row moves towards the beginning
+/// by the number of filter bytes up to it.
+bool undo_filters(Image& image) {
+  const std::size_t size = image.row_bytes();
+  std::uint8_t* pixels = image.pixels.data();
+  const std::uint8_t* filtered = pixels;
+  for (int y = 0; y < image.height; ++y, filtered += size + 1, pixels += size) {
+    const std::uint8_t filter = *filtered;
+    std::copy_n(filtered + 1, size, pixels);
+    const std::span row(pixels, size);
+    if (filter == sub) {
+      image.channels == 3 ? undo_sub<3>(row) : undo_sub<4>(row);
+    } else if (filter == up) {
+      if (y > 0) undo_up(row, pixels - size);
+    } else if (filter != none) {
+      return false;
+    }
+  }
+  image.pixels.resize(size * static_cast<std::size_t>(image.height));
+  return true;
+}
+
+/// Decodes a PNG file of the kind that encode_png() and many other programs write: 8 bits of RGB or
+/// RGBA, row after row, without filters that need more than one neighbour. Returns nothing for any
+/// other file and for a damaged one; use libspng for these. ISA-L inflates the data once and to
+/// their end; libspng takes as long as zlib and does not read the end.
+std::optional<Image> decode_plain_png(std::span<const std::uint8_t> file) {
+  constexpr std::size_t most_from_a_byte = 1032;  // RFC 1951, 3.2.5: 258 bytes of 2 bits
+  if (check_chunks(file) != ChunkState::whole) return {};
+  const std::vector<Chunk> chunks = chunks_of(file);
+  std::optional<Image> image = plain_format(chunks.front());
+  const auto pieces = plain_data(std::span(chunks).subspan(1));
+  if (!image || pieces.empty()) return {};
+  const std::size_t size = (image->row_bytes() + 1) * static_cast<std::size_t>(image->height);
+  if (size > most_from_a_byte * file.size()) return {};
+  // One byte more, because ISA-L does not look for the end of the data when the output is full.
+  image->pixels.resize(size + 1);
+  if (!inflate_rows(pieces, image->pixels) || !undo_filters(*image)) return {};
+  return image;
+}
 
 using ByteSpan = std::span<const std::uint8_t>;
 
@@ -191,9 +364,8 @@ DeepImage widened(const Image& image) {
 
 }  // namespace
 
-Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
-                 std::vector<std::uint8_t> memory) {
-  if (auto image = decode_plain_png(bytes, std::move(memory))) return std::move(*image);
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (auto image = decode_plain_png(bytes)) return std::move(*image);
   Decoder decoder(bytes, name);
   return decode_8_bits(decoder);
 }

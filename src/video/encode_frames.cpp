@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "image/picture_memory.h"
 #include "image/png.h"
 #include "system/bytes.h"
 #include "system/error.h"
@@ -51,9 +50,9 @@ std::vector<int> missing_frames(Manifest& manifest, const std::filesystem::path&
                     FramesError::Reason::missing, missing);
 }
 
-/// Reads a frame into `memory`. Throws FileError if it differs from the frame that was drawn.
+/// Reads a frame. Throws FileError if it differs from the frame that was drawn.
 image::Image read_frame(const FrameRecord& record, const std::filesystem::path& folder,
-                        const Manifest& manifest, std::vector<std::uint8_t> memory = {}) {
+                        const Manifest& manifest) {
   constexpr std::size_t longest = 1U << 30U;
   const std::filesystem::path path = folder / record.file;
   const auto png = system::read_regular_file(path, longest);
@@ -62,7 +61,7 @@ image::Image read_frame(const FrameRecord& record, const std::filesystem::path& 
                       "its contents do not match the digest in the manifest",
                       FramesError::Reason::altered, {record.frame});
   }
-  image::Image image = image::decode_png(png, path.string(), std::move(memory));
+  image::Image image = image::decode_png(png, path.string());
   if (image.width != manifest.width || image.height != manifest.height) {
     throw system::FileError(
         "cannot use " + path.string(),
@@ -97,17 +96,12 @@ class FrameReader {
     return frame;
   }
 
-  /// Takes the memory of a frame that is no longer needed.
-  void reuse(image::Image frame) { memory_ = std::move(frame.pixels); }
-
  private:
   void begin_more() {
     for (; begun_.size() < at_once_ && next_ != manifest_.frames.end(); ++next_) {
-      begun_.push_back(
-          std::async(std::launch::async,
-                     [this, &record = *next_, memory = std::exchange(memory_, {})]() mutable {
-                       return read_frame(record, folder_, manifest_, std::move(memory));
-                     }));
+      begun_.push_back(std::async(std::launch::async, [this, &record = *next_] {
+        return read_frame(record, folder_, manifest_);
+      }));
     }
   }
 
@@ -117,7 +111,6 @@ class FrameReader {
   const Manifest& manifest_;
   const std::filesystem::path folder_;
   std::vector<FrameRecord>::const_iterator next_;
-  std::vector<std::uint8_t> memory_;
   std::deque<std::future<image::Image>> begun_;  ///< declared last, so that they are joined first
 };
 
@@ -211,7 +204,6 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   std::ranges::transform(manifest.frames, shown.begin(), &FrameRecord::frame);
   const std::string identity = video_identity(manifest, shown);
   if (!output.overwrite) require_replaceable(output.path, {identity});
-  image::keep_memory_of_pictures(manifest.width, manifest.height);
   const bool transparent = read_frame(manifest.frames.front(), folder, manifest).channels == 4;
   const VideoFormat format = format_of(manifest, output, transparent);
   require_encoder(format);
@@ -225,11 +217,10 @@ std::vector<int> encode_frames(const std::filesystem::path& folder, const VideoO
   FrameReader reader(manifest, folder);
   const int total = static_cast<int>(manifest.frames.size());
   for (int done = 0; done < total; progress(++done, total)) {
-    image::Image frame = reader.next();
+    const image::Image frame = reader.next();
     require_alpha_as_first(frame, transparent,
                            folder / manifest.frames[static_cast<std::size_t>(done)].file);
     encoder.write(frame);
-    reader.reuse(std::move(frame));
   }
   encoder.finish();
   track_files.finish();

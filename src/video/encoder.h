@@ -60,7 +60,7 @@ class VideoEncoder {
   void finish();
 
  private:
-  using Background = std::shared_ptr<const image::StaticBands>;
+  using Background = std::shared_ptr<const image::Image>;
 
   void convert(const image::Image& frame, std::span<const image::Area> damage,
                const Background& background);

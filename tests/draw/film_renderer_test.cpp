@@ -309,18 +309,6 @@ TEST_F(FilmRendererTest, ReportsWhereAFrameDiffersFromItsBackground) {
   EXPECT_EQ(frames[10].background, frames[11].background);
 }
 
-TEST_F(FilmRendererTest, LendsTheMemoryOfAShotsFrames) {
-  const scene::Scene scene = film_of_shots();
-  FilmRenderer renderer(*context, scene);
-  const timeline::FilmTimeline timeline(scene, every_frame(scene));
-  const auto expected = drawn(scene, every_frame(scene));
-  for (std::size_t i = 0; i < timeline.size(); ++i) {
-    image::Frame frame = renderer.draw(timeline, timeline.frame(i));
-    EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
-    renderer.reuse(std::move(frame));
-  }
-}
-
 TEST_F(FilmRendererTest, NamesTheShotThatCannotBeDrawn) {
   const auto message = [&](const std::string& shot) -> std::string {
     const scene::Scene scene = scene::parse_scene(

@@ -122,35 +122,6 @@ TEST_P(FramesInFlight, AreCompositedWhileOthersAreDrawn) {
   }
 }
 
-TEST_P(FramesInFlight, AreTheSameInTheMemoryOfOthers) {
-  const scene::Scene film = scene();
-  const timeline::Timeline timeline(film, {0, 250, 590, 600});
-  const auto context = gl::make_test_context();
-  std::vector<image::Frame> expected;
-  {
-    Renderer renderer(*context, film, timeline.solutions());
-    for (std::size_t i = 0; i < 4; ++i) expected.push_back(renderer.draw(timeline.frame_state(i)));
-  }
-  Renderer renderer(*context, film, timeline.solutions());
-  for (const std::size_t i : {2U, 0U, 3U, 1U, 1U, 2U}) {
-    image::Frame frame = renderer.draw(timeline.frame_state(i));
-    EXPECT_EQ(frame.image.pixels, expected[i].image.pixels) << i;
-    EXPECT_EQ(frame.damage, expected[i].damage) << i;
-    renderer.reuse(std::move(frame));
-  }
-}
-
-TEST(FramesGivenBack, LendTheirMemory) {
-  const scene::Scene film = t_wrench();
-  const timeline::Timeline timeline(film, {0, 250});
-  const auto context = gl::make_test_context();
-  Renderer renderer(*context, film, timeline.solutions());
-  image::Frame first = renderer.draw(timeline.frame_state(0));
-  const std::uint8_t* const memory = first.image.pixels.data();
-  renderer.reuse(std::move(first));
-  EXPECT_EQ(renderer.draw(timeline.frame_state(1)).image.pixels.data(), memory);
-}
-
 INSTANTIATE_TEST_SUITE_P(All, FramesInFlight,
                          testing::Values(Film{"plain"},
                                          Film{"orbit", scene::View::quad, 1, 1, false, 0.5},

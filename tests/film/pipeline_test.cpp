@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -67,33 +65,6 @@ TEST_F(PipelineOfThreads, EveryFrameArrivesOnceAsItWasDrawn) {
     ASSERT_EQ(manifest.frames.size(), static_cast<std::size_t>(count));
     for (const video::FrameRecord& frame : manifest.frames) {
       EXPECT_EQ(image::read_png(frames_folder / frame.file).pixels[0], frame.frame);
-    }
-  }
-}
-
-TEST_F(PipelineOfThreads, GivesEveryFrameBackWhenAllStagesAreDoneWithIt) {
-  for (const bool film : {false, true}) {
-    const ScratchFolder folder;
-    video::FrameSequence sequence(folder / "f", manifest_of(count));
-    std::optional<video::VideoEncoder> encoder;
-    if (film) encoder.emplace(folder / "film.mp4", video::VideoFormat{16, 16, 25});
-    std::mutex mutex;
-    std::vector<int> back;
-    Drawing lending = drawing();
-    lending.reuse = [&](image::Frame frame) {
-      const std::lock_guard lock(mutex);
-      back.push_back(frame.image.pixels[0]);
-      frame.image.pixels.assign(frame.image.pixels.size(), 255);  // no stage reads it any more
-    };
-    run_pipeline(frames_, lending, {&sequence, film ? &*encoder : nullptr, 2}, {}, times_);
-    sequence.finish();
-    if (film) encoder->finish();
-    std::ranges::sort(back);
-    ASSERT_EQ(back.size(), std::size_t{count});
-    for (int i = 0; i < count; ++i) EXPECT_EQ(back[static_cast<std::size_t>(i)], i);
-    for (const video::FrameRecord& frame :
-         video::read_manifest(folder / "f" / video::manifest_name).frames) {
-      EXPECT_EQ(image::read_png(folder / "f" / frame.file).pixels[0], frame.frame);
     }
   }
 }

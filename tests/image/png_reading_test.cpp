@@ -247,20 +247,6 @@ TEST(PngReading, UndoesEveryFilter) {
   }
 }
 
-TEST(PngReading, UsesTheMemoryThatItIsGiven) {
-  for (const std::vector<int>& filters : {std::vector{0}, {1}, {2}, {4}}) {
-    const Image image = sample_image(9, 7, 3, 5);
-    const auto png = PngFile(9, 7, 8, rgb).with(filtered_rows(image, filters));
-    Bytes memory(1000, 0xAA);
-    const std::uint8_t* const place = memory.data();
-    const Image read = decode_png(png, "a", std::move(memory));
-    EXPECT_EQ(read.pixels, image.pixels) << filters.front();
-    if (filters.front() < 3) {
-      EXPECT_EQ(read.pixels.data(), place) << filters.front();
-    }
-  }
-}
-
 TEST(PngReading, DataMayComeInPieces) {
   const Bytes data = compressed({0, 10, 20, 30});
   PngFile file(1, 1, 8, rgb);

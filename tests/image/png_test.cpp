@@ -140,59 +140,13 @@ TEST(Png, BytesDependOnTheImageAloneWhereverItIsCompressed) {
   EXPECT_GT(compared, 6'000);
 }
 
-/// A frame of a film, which equals the others except for an area elsewhere in each.
-struct FilmFrame {
-  Image image;
-  Area damage;
-};
-
-std::vector<FilmFrame> film_frames(int height, int channels) {
-  std::vector<FilmFrame> frames;
-  for (int k = 0; k < 6; ++k) {
-    FilmFrame frame{sample_image(150, height, channels, 7), {20 * k, k * height / 7, 30, 20}};
-    for (int y = frame.damage.y; y < std::min(frame.damage.y + 20, height); ++y) {
-      std::fill_n(
-          frame.image.pixels.begin() +
-              static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * frame.image.row_bytes()) +
-              frame.damage.x * channels,
-          30 * channels, static_cast<std::uint8_t>(40 * k));
-    }
-    frames.push_back(std::move(frame));
-  }
-  return frames;
-}
-
-TEST(Png, OfAFilmIsTheSameBytesAsAlone) {
+TEST(Png, HasAllRowsWhateverTheirNumber) {
   for (const int height : {1, 31, 32, 33, 200}) {
     for (const int channels : {3, 4}) {
-      const auto frames = film_frames(height, channels);
-      std::vector<std::vector<std::uint8_t>> together(frames.size());
-      StaticBands bands;
-      std::vector<std::jthread> threads;
-      for (std::size_t k = 0; k < frames.size(); ++k) {
-        threads.emplace_back([&, k] {
-          together[k] = encode_png(frames[k].image, {{&frames[k].damage, 1}, bands});
-        });
-      }
-      threads.clear();  // joins
-      for (std::size_t k = 0; k < frames.size(); ++k) {
-        EXPECT_EQ(together[k], encode_png(frames[k].image)) << height << " rows, frame " << k;
-      }
+      const Image image = sample_image(150, height, channels, 7);
+      EXPECT_EQ(decode_png(encode_png(image), "a").pixels, image.pixels) << height << " rows";
     }
   }
-}
-
-TEST(Png, OfAFilmHasItsStillRowsFromTheFirstFrameThatHasThem) {
-  StaticBands bands;
-  const Image first = sample_image(50, 96, 3, 1), other = sample_image(50, 96, 3, 2);
-  const Area above{10, 3, 5, 28}, below{30, 32, 5, 1};  // both keep the rows from 64 on
-  encode_png(first, {{&below, 1}, bands});
-  const Image read = decode_png(encode_png(other, {{&above, 1}, bands}), "a.png");
-  const auto last_band = static_cast<std::ptrdiff_t>(64 * first.row_bytes());
-  EXPECT_TRUE(std::equal(first.pixels.begin() + last_band, first.pixels.end(),
-                         read.pixels.begin() + last_band));
-  EXPECT_TRUE(
-      std::equal(other.pixels.begin(), other.pixels.begin() + last_band, read.pixels.begin()));
 }
 
 TEST(Png, CompressesASmoothFrameWell) {

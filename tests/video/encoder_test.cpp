@@ -212,7 +212,7 @@ TEST(Encoder, NeedsOnlyTheAreasThatChanged) {
   const ScratchFolder scratch;
   VideoEncoder whole(scratch / "whole.mp4", format);
   VideoEncoder areas(scratch / "areas.mp4", format);
-  const auto background = std::make_shared<image::StaticBands>();
+  const auto background = std::make_shared<const image::Image>();
   for (int k = 0; k < 4; ++k) {
     image::Image frame = flat({20, 60, 90});
     const image::Area area{3 + 12 * k, 5 + 7 * k, 9, 11};  // at another place in each frame
@@ -236,8 +236,8 @@ TEST(Encoder, NoticesThatTheBackgroundIsAnother) {
   const ScratchFolder scratch;
   VideoEncoder whole(scratch / "whole.mp4", format);
   VideoEncoder areas(scratch / "areas.mp4", format);
-  const std::array backgrounds{std::make_shared<image::StaticBands>(),
-                               std::make_shared<image::StaticBands>()};
+  const std::array backgrounds{std::make_shared<const image::Image>(),
+                               std::make_shared<const image::Image>()};
   for (const std::size_t which : {0U, 0U, 1U, 1U, 1U, 0U, 1U}) {
     const image::Image frame = flat({20, static_cast<std::uint8_t>(60 + 100 * which), 90});
     whole.write(frame);
@@ -260,7 +260,7 @@ TEST(Encoder, PassesLargeFramesOnAsTheyWere) {
                                      "for film; do :; done; exec touch \"${film#file:}\"");
   constexpr int width = 1280, height = 720;  // more than the pipe holds
   VideoEncoder encoder(scratch / "film.mp4", {width, height, 30});
-  const auto background = std::make_shared<image::StaticBands>();
+  const auto background = std::make_shared<const image::Image>();
   std::vector<std::uint8_t> expected;
   for (int k = 0; k < 9; ++k) {
     image::Image frame(width, height, 3);

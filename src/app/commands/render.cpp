@@ -25,7 +25,6 @@
 #include "base/words.h"
 #include "film/pipeline.h"
 #include "film/render_job.h"
-#include "image/picture_memory.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/shown_recording.h"
@@ -319,7 +318,6 @@ void render(const RenderOptions& options) {
   options.require_consistent();
   const scene::Scene scene = options.scene_to_draw();
   options.scene.require_drawable(scene);
-  image::keep_memory_of_pictures(scene.film.width, scene.film.height);
   const film::RenderSettings settings = options.settings(scene);
   film::RenderJob job(scene, settings);
   const system::TerminationAction on_signal(
