@@ -12,21 +12,29 @@ namespace {
 // Number of levels of linear light: finer than sRGB's smallest step except in the darkest tones.
 constexpr int steps = 4096;
 
-std::array<float, 256> linear_table() {
-  std::array<float, 256> table{};
-  for (int i = 0; i < 256; ++i) {
-    table[static_cast<std::size_t>(i)] = static_cast<float>(picture::linear_from_srgb(i));
-  }
-  return table;
+/// The linear light of the sRGB values.
+template <typename Number>
+const std::array<Number, 256>& linear_levels() {
+  static const std::array<Number, 256> levels = [] {
+    std::array<Number, 256> table{};
+    for (int i = 0; i < 256; ++i) {
+      table[static_cast<std::size_t>(i)] = static_cast<Number>(picture::linear_from_srgb(i));
+    }
+    return table;
+  }();
+  return levels;
 }
 
-/// Returns a table of sRGB values, 0 to 255, at i / steps of full light.
+/// Returns the sRGB value, 0 to 255, of linear light from 0 to 1.
+double srgb_from_linear(double light) {
+  return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+}
+
+/// Returns a table of sRGB values at i / steps of full light.
 std::vector<float> srgb_table() {
   std::vector<float> table;
   for (int i = 0; i <= steps; ++i) {
-    const double light = static_cast<double>(i) / steps;
-    const double s = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-    table.push_back(static_cast<float>(255 * s));
+    table.push_back(static_cast<float>(srgb_from_linear(static_cast<double>(i) / steps)));
   }
   return table;
 }
@@ -39,7 +47,7 @@ Exposure::Exposure(int width, int height)
       sums_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 void Exposure::add(const image::Image& image) {
-  static const std::array<float, 256> linear = linear_table();
+  const std::array<float, 256>& linear = linear_levels<float>();
   ++count_;
   for (std::size_t i = 0; i < sums_.size(); i += 4) {
     const std::uint8_t* p = &image.pixels[i];
@@ -91,29 +99,17 @@ void PendingExposure::add_first() {
 
 namespace {
 
-using Levels = std::array<double, 256>;
-
-const Levels& linear_levels() {
-  static const Levels levels = [] {
-    Levels table{};
-    for (int i = 0; i < 256; ++i) table[static_cast<std::size_t>(i)] = picture::linear_from_srgb(i);
-    return table;
-  }();
-  return levels;
-}
-
-std::uint8_t srgb_from_linear(double light) {
-  const double s = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(s, 0.0, 1.0)));
+std::uint8_t rounded_srgb(double light) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(srgb_from_linear(light), 0.0, 255.0)));
 }
 
 /// Returns the mean of each pair of levels. There are far fewer pairs than pixels.
 std::vector<std::uint8_t> means(double share) {
-  const Levels& linear = linear_levels();
+  const std::array<double, 256>& linear = linear_levels<double>();
   std::vector<std::uint8_t> table;
   table.reserve(256 * 256);
   for (const double a : linear) {
-    for (const double b : linear) table.push_back(srgb_from_linear(std::lerp(a, b, share)));
+    for (const double b : linear) table.push_back(rounded_srgb(std::lerp(a, b, share)));
   }
   return table;
 }
@@ -127,7 +123,7 @@ void fade_opaque(const image::Image& to, double share, image::Image& image) {
 
 /// Weights colours by their alpha.
 void fade_translucent(const image::Image& to, double share, image::Image& image) {
-  const Levels& linear = linear_levels();
+  const std::array<double, 256>& linear = linear_levels<double>();
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
     std::uint8_t* const a = &image.pixels[i];
     const std::uint8_t* const b = &to.pixels[i];
@@ -135,7 +131,7 @@ void fade_translucent(const image::Image& to, double share, image::Image& image)
     const double before = (1 - share) * a[3], after = share * b[3];
     const double alpha = before + after;
     for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
-      a[c] = srgb_from_linear((before * linear[a[c]] + after * linear[b[c]]) / alpha);
+      a[c] = rounded_srgb((before * linear[a[c]] + after * linear[b[c]]) / alpha);
     }
     a[3] = static_cast<std::uint8_t>(std::lround(alpha));
   }

@@ -34,8 +34,8 @@ bool has_room_for_caption(const scene::Shot& shot, const canvas::Typeface& typef
 
 /// Composites both frames and returns the fade from the first to the second.
 image::Frame faded(const image::PendingFrame& from, const image::PendingFrame& to, double share) {
-  const image::Frame before = from.composite();
-  image::Frame frame = to.composite();
+  const image::Frame before = from.finish();
+  image::Frame frame = to.finish();
   frame.image = cross_fade(before.image, frame.image, share);
   frame.damage.assign(1, {0, 0, frame.image.width, frame.image.height});
   return frame;
@@ -93,7 +93,7 @@ image::PendingFrame FilmRenderer::begin(const timeline::FilmTimeline& timeline,
     const std::shared_ptr<Stage> drawing = stage(timeline, shot);
     const image::PendingFrame drawn = drawing->renderer.begin(std::move(state), moving);
     // Captured, so that the shot lives as long as the frame is in progress.
-    return {drawn.fetch, [drawing, drawn] { return drawn.composite(); }};
+    return {drawn.fetch, [drawing, drawn] { return drawn.finish(); }};
   };
   const image::PendingFrame own = draw(frame.shot, std::move(frame.state));
   if (frame.faded == 1) return own;

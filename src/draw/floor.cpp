@@ -220,11 +220,12 @@ void Floor::add_shadow(const Camera& camera, const Matrix3d& X, const image::Are
 
 PendingLayer Floor::draw(const Camera& camera, const Matrix3d& X, const BodyPass& body) {
   const image::Area area = seen(camera);
-  return {begin_reflection(camera, X, body, area), [=, this](const image::Image& reflection) {
-            std::vector<Cell> cells = blurred(reflection);
-            add_shadow(camera, X, area, cells);
-            return over_pane(area, std::move(cells));
-          }};
+  return pending_layer(begin_reflection(camera, X, body, area),
+                       [=, this](const image::Image& reflection) {
+                         std::vector<Cell> cells = blurred(reflection);
+                         add_shadow(camera, X, area, cells);
+                         return over_pane(area, std::move(cells));
+                       });
 }
 
 /// Returns the cells in `area` of the grid as a layer over that part of the pane.

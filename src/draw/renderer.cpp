@@ -270,8 +270,6 @@ std::size_t Renderer::frames_ahead() const {
   return parts_->framebuffer.read_mode() == gl::ReadMode::buffered ? 1 : 0;
 }
 
-const image::Image& Renderer::static_background() const { return *parts_->still; }
-
 Camera Renderer::camera(const timeline::FrameState& state) const {
   return parts_->views.front().view->camera_in_space(state);
 }

@@ -30,7 +30,7 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Draws the OpenGL part of a frame. PendingFrame::composite() does the rest, including the
+  /// Draws the OpenGL part of a frame. PendingFrame::finish() does the rest, including the
   /// compositing, and may run while other frames are begun. Several frames may be in progress and
   /// may be completed in any order. The renderer must outlive them. `camera`, if given, replaces
   /// the first view's own camera of the body.
@@ -42,9 +42,6 @@ class Renderer {
   /// Returns how many frames should be in progress before the oldest is completed, so that drawing
   /// does not wait for reading back.
   std::size_t frames_ahead() const;
-
-  /// Returns the static background.
-  const image::Image& static_background() const;
 
   /// Returns the camera of the first view, for coordinates in space. The first view shows the body
   /// if any view does.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -8,7 +8,7 @@
 #include "draw/exposure.h"
 #include "draw/soft_layer.h"
 #include "gl/framebuffer.h"
-#include "image/area.h"
+#include "image/frame.h"
 #include "picture/compose/layer.h"
 #include "picture/views/view.h"
 
@@ -17,29 +17,23 @@ namespace twrench::draw {
 /// A layer of pixels or one without sharp detail.
 using AnyLayer = std::variant<picture::Layer, SoftLayer>;
 
-/// A layer that was drawn, but whose pixels may still be in transfer from a graphics card.
-struct PendingLayer {
-  std::variant<gl::Readback, PendingExposure> pixels;
-  /// Makes the layer from the pixels, on any thread.
-  std::function<AnyLayer(image::Image)> make;
+using PendingLayer = image::Pending<AnyLayer>;
 
-  /// Waits for the pixels, on the thread that drew them.
-  void fetch() {
-    std::visit([](auto& any) { any.fetch(); }, pixels);
-  }
-
-  /// Returns the layer, on any thread after fetch(). Call it once.
-  AnyLayer finish() {
-    return make(std::visit([](auto& any) { return any.finish(); }, pixels));
-  }
-};
+/// Returns the layer that `make` makes of the image of `pixels`, a gl::Readback or a
+/// PendingExposure.
+template <typename Pixels, typename Make>
+PendingLayer pending_layer(Pixels pixels, Make make) {
+  const auto shared = std::make_shared<Pixels>(std::move(pixels));
+  return {[shared] { shared->fetch(); },
+          [shared, make = std::move(make)] { return AnyLayer(make(shared->finish())); }};
+}
 
 /// Returns the pixels unchanged as a layer with its top left corner in that of `area`.
-inline PendingLayer layer_at(const image::Area& area,
-                             std::variant<gl::Readback, PendingExposure> pixels) {
-  return {std::move(pixels), [x = area.x, y = area.y](image::Image image) {
-            return picture::Layer{std::move(image), x, y};
-          }};
+template <typename Pixels>
+PendingLayer layer_at(const image::Area& area, Pixels pixels) {
+  return pending_layer(std::move(pixels), [x = area.x, y = area.y](image::Image image) {
+    return picture::Layer{std::move(image), x, y};
+  });
 }
 
 /// Draws the contents of a view, on its renderer's thread.

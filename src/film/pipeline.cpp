@@ -96,7 +96,7 @@ class Pipeline {
       std::shared_ptr<const image::Frame> frame;
       {
         const Timed timed(times_.composite);
-        frame = std::make_shared<const image::Frame>(drawn->frame.composite());
+        frame = std::make_shared<const image::Frame>(drawn->frame.finish());
       }
       if (outputs_.sequence != nullptr && frame->is_new) to_compress_.push({drawn->record, frame});
       if (outputs_.encoder != nullptr) to_encode_.push({drawn->record, std::move(frame)});

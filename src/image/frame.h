@@ -21,20 +21,23 @@ struct Frame {
   std::shared_ptr<const Image> background = nullptr;
 };
 
-/// A frame in progress: it is drawn, but its pixels may still be in transfer, and it is not yet
-/// composited. Two functions complete it; each is called once, in this order. Copies share the
-/// frame.
-struct PendingFrame {
+/// A result in progress: it is drawn, but its pixels may still be in transfer, and it is not yet
+/// complete. Two functions complete it; each is called once, in this order. Copies share the
+/// result.
+template <typename Result>
+struct Pending {
   /// Waits for the pixels. Call it on the thread that draws.
   std::function<void()> fetch;
-  /// Completes the frame, on any thread. Throws as the functions that draw its parts do.
-  std::function<Frame()> composite;
+  /// Completes the result, on any thread. Throws as the functions that draw its parts do.
+  std::function<Result()> finish;
 
   /// Does both on the thread that draws.
-  Frame get() const {
+  Result get() const {
     fetch();
-    return composite();
+    return finish();
   }
 };
+
+using PendingFrame = Pending<Frame>;
 
 }  // namespace twrench::image

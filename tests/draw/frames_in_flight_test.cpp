@@ -74,7 +74,7 @@ TEST_P(FramesInFlight, AreThoseDrawnOneByOne) {
   }
   for (const gl::ReadMode mode : {gl::ReadMode::at_once, gl::ReadMode::buffered}) {
     Renderer renderer(*context, film, timeline.solutions(), mode);
-    image::Image background = renderer.static_background();
+    image::Image background = *expected[0].background;
     if (film.look.transparent)
       unpremultiply(background, {0, 0, background.width, background.height});
     std::vector<image::PendingFrame> begun;
@@ -115,7 +115,7 @@ TEST_P(FramesInFlight, AreCompositedWhileOthersAreDrawn) {
       }
       if (begun) {
         composited = std::async(std::launch::async, [frame = std::move(*begun)]() mutable {
-          return frame.composite();
+          return frame.finish();
         });
       }
     }
