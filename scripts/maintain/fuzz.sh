@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in fuzz/ (manifest, png, range,
+# fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in tests/fuzz (manifest, png, range,
 # scene, table) with ASan and UBSan, starting from the saved corpus. New inputs go to
 # build/fuzz/corpus/TARGET; an input that causes a failure is saved in build/fuzz and belongs in
-# fuzz/corpus once fixed. Needs clang-14 (scripts/maintain/setup.sh tidy installs it).
+# tests/fuzz/corpus once fixed. Needs clang-14 (scripts/maintain/setup.sh tidy installs it).
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -15,4 +15,4 @@ grown=build/fuzz/corpus/$target
 mkdir -p "$grown"
 # The memory of a scene is proportional to the sizes in it. No input may use more than this.
 exec "build/fuzz/bin/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 \
-  -max_len=8192 -print_final_stats=1 -artifact_prefix="build/fuzz/$target-" "$grown" "fuzz/corpus/$target"
+  -max_len=8192 -print_final_stats=1 -artifact_prefix="build/fuzz/$target-" "$grown" "tests/fuzz/corpus/$target"

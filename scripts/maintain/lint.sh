@@ -7,7 +7,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 folders=()
-for folder in include src python examples tests fuzz bench torture web; do
+for folder in include src python examples tests bench web; do
   [[ ! -d $folder ]] || folders+=("$folder")
 done
 sources() { find "${folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
@@ -31,7 +31,7 @@ case "${1-}" in
     cmake --preset release -B build/tidy -DBUILD_TESTING=ON -DTWRENCH_TORTURE=ON -DCMAKE_UNITY_BUILD=OFF \
       -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
     # The pattern excludes generated sources, which are under build/.
-    run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|fuzz|bench|torture)/"
+    run-clang-tidy-14 -quiet -p build/tidy -j "$(nproc)" "^$(pwd -P)/(src|tests|bench)/"
     ;;
   *)
     echo "usage: $0 format|fix|tidy" >&2

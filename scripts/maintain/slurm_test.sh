@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# slurm_test.sh: tests farm/ on a real one-machine Slurm cluster: submits the array and the
+# slurm_test.sh: tests examples/farm on a real one-machine Slurm cluster: submits the array and the
 # dependent encode job, kills the process of one task midway and requeues it, and compares the
 # video's decoded frames and every frame's digest with those of a single run. Needs root and
 # Debian's slurmctld slurmd slurm-client munge; takes some minutes.
@@ -8,7 +8,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 scripts/maintain/build.sh release twrench
 export TWRENCH=$PWD/build/release/bin/twrench
-farm=$PWD/farm
+farm=$PWD/examples/farm
 folder=$(mktemp -d)
 chmod 755 "$folder"
 daemons=()

@@ -20,7 +20,7 @@ class MeshAsScene : public testing::Test {
   MeshAsScene() {
     write("box.obj", box);
     for (const char* name : {"tetrahedron.glb", "tetrahedron.gltf", "binary.stl", "little.ply"}) {
-      const fs::path corpus = TWRENCH_TESTS_DIR "/../fuzz/corpus/mesh";
+      const fs::path corpus = TWRENCH_TESTS_DIR "/fuzz/corpus/mesh";
       write(name, text_of(corpus / name).substr(1));  // a byte for the fuzzer precedes the file
     }
   }

@@ -15,7 +15,7 @@ import pytest
 
 PROJECT = Path(__file__).parents[2]
 SCENES = sorted((PROJECT / "assets/scenes").glob("*.toml"))
-EXAMPLES = sorted([*(PROJECT / "examples").rglob("*.toml"), *(PROJECT / "fuzz/corpus/scene").glob("*.toml")])
+EXAMPLES = sorted([*(PROJECT / "examples").rglob("*.toml"), *(PROJECT / "tests/fuzz/corpus/scene").glob("*.toml")])
 
 BODY = "[body]\nmoments = [1, 2, 3]\n"
 SPHERE = "[[part]]\nshape = 'sphere'\nradius = 1\n"
