@@ -39,7 +39,7 @@ is_possible() {
 
 # The sources of the page's core, including those in web/core.
 core_sources() {
-  printf 'src/%s.cpp\n' base/{color,error,letters,nearest,require} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
+  printf 'src/%s.cpp\n' base/{color,error,require,words} math/{elliptic,so3} body/{dimensions,equimomental,mass_properties,shape} \
     body/triangle_mesh \
     motion/{diagnostics,energy_contours,error,exact,exact_samples,exact_solution,free_body,interior_series,method,polhode,propagator,rotating_frame} \
     motion/{recorded_motion,reference_motion,series_steps,stability,stepper,taylor,trajectory} study/{flip_search,reference} \
