@@ -18,6 +18,10 @@ constexpr double medium_speed = 2 * pi;
 constexpr double lowest_pitch = 140, highest_pitch = 3000;
 constexpr double pitch_exponent = 0.8;
 
+/// The least amplitude of the noise in a film in which something moves: the tone of the room, which
+/// is heard where the camera turns with the body.
+constexpr double room_amplitude = 0.03;
+
 /// Each filter's ratio of centre to bandwidth.
 constexpr double quality = 0.7;
 
@@ -86,7 +90,8 @@ Synthesizer::Tone Synthesizer::tone_at(std::size_t index) const {
   // The power of the noise in the band is proportional to the pitch.
   const double uniform_power = 1.0 / 3;
   const double power = uniform_power * (pi / 4) * (pitch / quality) / (sample_rate / 2.0);
-  return {noise_amplitude(speed) / std::sqrt(power), std::tan(pi * pitch / sample_rate)};
+  const double amplitude = std::max(noise_amplitude(speed), room_amplitude);
+  return {amplitude / std::sqrt(power), std::tan(pi * pitch / sample_rate)};
 }
 
 Synthesizer::Tone Synthesizer::next_tone() {

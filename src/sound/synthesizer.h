@@ -34,8 +34,8 @@ class BandFilter {
 
 /// Synthesises the sound of a motion: filtered noise whose loudness and pitch rise with the speed
 /// of the body's ends, whose pitch also rises with the lean, and a low, decaying tone that starts
-/// at each flip. Memory use does not depend on the length. The same course always gives the same
-/// samples.
+/// at each flip. A body at rest has the quiet tone of a room. Memory use does not depend on the
+/// length. The same course always gives the same samples.
 class Synthesizer {
  public:
   /// The course must outlive the synthesizer.
