@@ -65,13 +65,13 @@ std::string escape(std::string_view text) {
   return shown;
 }
 
-std::string with_references(std::string_view text) {
-  constexpr std::string_view markup = "&<>\"";
+std::string with_references(std::string_view text, std::string_view markup) {
+  constexpr std::string_view all = "&<>\"";
   constexpr std::array references{"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string result;
   for (const char c : text) {
-    const std::size_t at = markup.find(c);
-    result += at == std::string_view::npos ? std::string(1, c) : references[at];
+    const bool is_markup = markup.find(c) != std::string_view::npos;
+    result += is_markup ? std::string(references.at(all.find(c))) : std::string(1, c);
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "system/error.h"
+#include "text/escape.h"
 #include "video/video_file.h"
 
 namespace twrench::video {
@@ -23,21 +25,11 @@ std::string timestamp(double seconds) {
                      ms % 1000);
 }
 
-/// The text on one line, with characters escaped that have a meaning in WebVTT.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else {
-      result += c == '\n' || c == '\r' ? ' ' : c;
-    }
-  }
-  return result;
+/// The text on one line, with references for the characters that have a meaning in WebVTT.
+std::string escaped(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text::with_references(text, "&<>");
 }
 
 constexpr const char* note = "NOTE ";

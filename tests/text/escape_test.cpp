@@ -35,6 +35,11 @@ TEST(Escape, ShowsBytesThatAreNoUtf8) {
   EXPECT_EQ(escape("\ufffd"), "\ufffd");                 // is itself well-formed
 }
 
+TEST(WithReferences, ReplacesOnlyTheMarkup) {
+  EXPECT_EQ(with_references("<a>\n\"&\""), "&lt;a&gt;\n&quot;&amp;&quot;");
+  EXPECT_EQ(with_references("<a> \"&\"", "&<>"), "&lt;a&gt; \"&amp;\"");
+}
+
 TEST(EscapeXml, HasReferencesForMarkup) {
   EXPECT_EQ(escape_xml("<a href=\"x\">'&amp;"), "&lt;a href=&quot;x&quot;&gt;'&amp;amp;");
   EXPECT_EQ(escape_xml("frame 1 \u03c9.png"), "frame 1 \u03c9.png");
