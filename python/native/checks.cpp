@@ -24,7 +24,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "output.h"
-#include "plot/check_plot.h"
+#include "plot/plots.h"
 #include "recording/conventions/convention.h"
 #include "replay/replay.h"
 #include "scene/interior.h"

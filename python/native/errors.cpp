@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "base/words.h"
-#include "canvas/error.h"
+#include "canvas/font.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/context.h"

@@ -8,7 +8,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "output.h"
-#include "plot/study_plot.h"
+#include "plot/plots.h"
 #include "scene/limits.h"
 
 namespace twrench::python {

@@ -1,14 +1,14 @@
+struct hb_font_t;
 #pragma once
 
 #include <cairo.h>
+#include <twrench/base/error.h>
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
-
-struct hb_font_t;
 
 namespace twrench::canvas {
 
@@ -84,5 +84,17 @@ Typeface load_typeface(const std::string& name_or_path);
 /// Returns the SHA-256 of the bytes of the fonts and their fallbacks, which distinguishes files of
 /// the same name.
 std::string typeface_digest(const Typeface& typeface);
+
+/// A text has a character that neither the font nor its fallback can draw.
+class MissingGlyph : public InvalidArgument {
+ public:
+  MissingGlyph(const std::string& quantity, const std::string& why, char32_t character)
+      : InvalidArgument(quantity, why), character_(character) {}
+
+  char32_t character() const noexcept { return character_; }
+
+ private:
+  char32_t character_;
+};
 
 }  // namespace twrench::canvas

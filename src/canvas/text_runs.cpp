@@ -3,7 +3,6 @@
 #include <fribidi.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <new>
 #include <numeric>

@@ -8,7 +8,7 @@
 #include <new>
 #include <optional>
 
-#include "canvas/error.h"
+#include "canvas/font.h"
 #include "canvas/text_runs.h"
 
 namespace twrench::canvas {

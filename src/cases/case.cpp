@@ -5,7 +5,6 @@
 #include <twrench/motion/diagnostics.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "image/compare.h"
 #include "image/image.h"
 #include "image/png.h"
-#include "image/similarity.h"
 #include "system/error.h"
 
 namespace twrench::comparison {

@@ -6,10 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include "embedded/shaders.h"
-#include "gl/objects.h"
+#include "gl/program.h"
 #include "picture/body/facets.h"
 #include "picture/body/shader_constants.h"
 #include "picture/space/glm_from_eigen.h"

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "gl/objects.h"
 #include "gl/program.h"
 #include "image/area.h"
 #include "picture/body/body_model.h"

@@ -5,7 +5,7 @@
 
 #include "draw/view_painter.h"
 #include "embedded/shaders.h"
-#include "gl/objects.h"
+#include "gl/program.h"
 #include "picture/space/screen_area.h"
 
 namespace twrench::draw {

@@ -4,7 +4,6 @@
 
 #include "draw/view_painter.h"
 #include "gl/framebuffer.h"
-#include "gl/objects.h"
 #include "gl/program.h"
 #include "picture/overlay/draw_list.h"
 

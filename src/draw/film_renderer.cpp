@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "canvas/error.h"
 #include "canvas/font.h"
 #include "draw/exposure.h"
 #include "picture/compose/layout.h"

@@ -7,12 +7,24 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "gl/context.h"
 
 namespace twrench::gl {
+
+void set_attributes(const Functions& gl, std::size_t stride,
+                    std::initializer_list<Attribute> attributes) {
+  for (const Attribute& attribute : attributes) {
+    gl.EnableVertexAttribArray(attribute.location);
+    gl.VertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
+                           static_cast<GLsizei>(stride), offset_pointer(attribute.offset));
+  }
+}
+
+void upload(const Functions& gl, GLenum target, std::span<const std::byte> bytes, GLenum usage) {
+  gl.BufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
+}
+
 namespace {
 
 constexpr std::string_view version = "#version 330 core\n";

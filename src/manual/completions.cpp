@@ -1,9 +1,8 @@
-#include "manual/completions.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+
+#include "manual/manual.h"
 
 namespace twrench::manual {
 namespace {

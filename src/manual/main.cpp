@@ -6,8 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/terminal/version.h"
-#include "manual/completions.h"
-#include "manual/man_pages.h"
+#include "manual/manual.h"
 #include "system/file.h"
 
 namespace twrench::manual {

@@ -1,5 +1,5 @@
 // Manual pages in the macros of man(7).
-#include "manual/man_pages.h"
+#include "manual/manual.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -14,7 +14,6 @@
 
 #include "mesh/allowance.h"
 #include "mesh/mesh_file.h"
-#include "mesh/nesting.h"
 #include "mesh/overlaps.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/welding.h"

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <span>
 
 #include "mesh/formats.h"
 #include "system/bytes.h"

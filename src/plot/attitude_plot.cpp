@@ -1,4 +1,4 @@
-#include "plot/attitude_plot.h"
+#include "plot/plots.h"
 
 #include <fmt/format.h>
 

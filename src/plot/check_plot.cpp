@@ -1,5 +1,3 @@
-#include "plot/check_plot.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "base/time_unit.h"
 #include "plot/gnuplot.h"
+#include "plot/plots.h"
 #include "recording/conventions/units.h"
 
 namespace twrench::plot {

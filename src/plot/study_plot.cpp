@@ -1,5 +1,3 @@
-#include "plot/study_plot.h"
-
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -10,6 +8,7 @@
 
 #include "base/time_unit.h"
 #include "plot/gnuplot.h"
+#include "plot/plots.h"
 #include "scene/phrase.h"
 
 namespace twrench::plot {

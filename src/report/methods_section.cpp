@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "plot/study_plot.h"
+#include "plot/plots.h"
 #include "report/sections.h"
 #include "report/tables.h"
 
@@ -68,39 +68,6 @@ std::string estimate_text(const study::Study& study, Language language) {
              "rkf45; med rkmk45 er E nær den virkelige feilen. Målte ordener: rkf45 {}, rkmk45 {}.")
       .in(language, exponent("rkf45"), exponent("rkmk45"), measured_order(study, "rkf45"),
           measured_order(study, "rkmk45"));
-}
-
-Section runge_kutta_section(const study::Study& study, const Experiment& studied,
-                            Citations& citations) {
-  const Language language = studied.scene.language;
-  Section section{
-      .heading = Phrase("Task 4: RK4 and RKF45", "Oppgave 4: RK4 og RKF45").in(language),
-      .content = {}};
-  section.content.emplace_back(Subheading{"RK4"});
-  section.content.emplace_back(Paragraph{
-      Phrase("The method rk4 is that of section 4.4 of {}, as it is printed there. The T-wrench "
-             "tests it, beside lie-euler and rkmk4:",
-             "Metoden rk4 er metoden i avsnitt 4.4 i {}, nøyaktig slik den står der. "
-             "Den testes på T-nøkkelen, ved siden av lie-euler og rkmk4:")
-          .in(language, citations.specification())});
-  section.content.emplace_back(ladder_table(study, {"lie-euler", "rk4", "rkmk4"}, studied));
-  section.content.emplace_back(Paragraph{
-      Phrase("The coefficients of RK4 have order 4 in a linear space, but here rk4 has order {}: "
-             "half the step divides the error by 4. This is no slip in the coefficients, which "
-             "would bring the order down to 1. One exponential of the averaged velocities leaves "
-             "out the products of the theory; with the same coefficients and these products, rkmk4 "
-             "has order {}.",
-             "Koeffisientene i RK4 har orden 4 i et lineært rom, men her har rk4 "
-             "orden {}: Når steget halveres, deles feilen på 4. Det er ingen feil i "
-             "koeffisientene, for den ville senket ordenen til 1. Når én "
-             "eksponentialfunksjon brukes på gjennomsnittet av vinkelhastighetene, "
-             "faller produktene i teorien bort; med de samme koeffisientene og disse "
-             "produktene har rkmk4 orden {}.")
-          .in(language, measured_order(study, "rk4"), measured_order(study, "rkmk4"))});
-  section.content.emplace_back(Subheading{"RKF45"});
-  section.content.emplace_back(tolerances_table(study, studied));
-  section.content.emplace_back(Paragraph{estimate_text(study, language)});
-  return section;
 }
 
 constexpr Phrase method_label{"Method", "Metode"};
@@ -210,6 +177,39 @@ std::vector<std::string> fixed_step_methods(const study::Study& study) {
 }
 
 }  // namespace
+
+Section runge_kutta_section(const study::Study& study, const Experiment& studied,
+                            Citations& citations) {
+  const Language language = studied.scene.language;
+  Section section{
+      .heading = Phrase("Task 4: RK4 and RKF45", "Oppgave 4: RK4 og RKF45").in(language),
+      .content = {}};
+  section.content.emplace_back(Subheading{"RK4"});
+  section.content.emplace_back(Paragraph{
+      Phrase("The method rk4 is that of section 4.4 of {}, as it is printed there. The T-wrench "
+             "tests it, beside lie-euler and rkmk4:",
+             "Metoden rk4 er metoden i avsnitt 4.4 i {}, nøyaktig slik den står der. "
+             "Den testes på T-nøkkelen, ved siden av lie-euler og rkmk4:")
+          .in(language, citations.specification())});
+  section.content.emplace_back(ladder_table(study, {"lie-euler", "rk4", "rkmk4"}, studied));
+  section.content.emplace_back(Paragraph{
+      Phrase("The coefficients of RK4 have order 4 in a linear space, but here rk4 has order {}: "
+             "half the step divides the error by 4. This is no slip in the coefficients, which "
+             "would bring the order down to 1. One exponential of the averaged velocities leaves "
+             "out the products of the theory; with the same coefficients and these products, rkmk4 "
+             "has order {}.",
+             "Koeffisientene i RK4 har orden 4 i et lineært rom, men her har rk4 "
+             "orden {}: Når steget halveres, deles feilen på 4. Det er ingen feil i "
+             "koeffisientene, for den ville senket ordenen til 1. Når én "
+             "eksponentialfunksjon brukes på gjennomsnittet av vinkelhastighetene, "
+             "faller produktene i teorien bort; med de samme koeffisientene og disse "
+             "produktene har rkmk4 orden {}.")
+          .in(language, measured_order(study, "rk4"), measured_order(study, "rkmk4"))});
+  section.content.emplace_back(Subheading{"RKF45"});
+  section.content.emplace_back(tolerances_table(study, studied));
+  section.content.emplace_back(Paragraph{estimate_text(study, language)});
+  return section;
+}
 
 Section methods_section(const study::Study& study, const Experiment& studied,
                         Citations& citations) {

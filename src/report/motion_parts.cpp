@@ -9,7 +9,7 @@
 
 #include "motion/energy_contours.h"
 #include "motion/phase.h"
-#include "plot/attitude_plot.h"
+#include "plot/plots.h"
 #include "report/sections.h"
 #include "report/tables.h"
 

@@ -5,10 +5,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "plot/attitude_plot.h"
+#include "plot/plots.h"
 #include "report/results.h"
 #include "scene/scene.h"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <twrench/study/study.h>
 
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -10,21 +10,6 @@
 namespace twrench::report {
 namespace {
 
-Section motion_section(const Solution& solution) {
-  Section section{.heading = solution.scene().shown_title(), .content = {}};
-  section.content.emplace_back(constants_table(solution));
-  section.content.emplace_back(
-      components_figure(solution, solution.reference, solution.experiment->commands.components));
-  section.content.emplace_back(Paragraph{interpretation(solution)});
-  // Otherwise it wobbles about a stable axis and does not turn over.
-  const auto flips = solution.flips();
-  if (flips ? flips->turns_over() : !solution.own.flip_times.empty()) {
-    section.content.emplace_back(flips_table(solution, {own_solution(solution)}));
-  }
-  section.content.emplace_back(drift_table(solution, {own_solution(solution)}));
-  return section;
-}
-
 /// "(a) The Dzhanibekov effect"
 std::string experiment_heading(const PrintedSolution& solution, std::size_t i) {
   return fmt::format("({}) {}: ω(0) = {} rad/s", "abc"[i], solution.solution.scene().shown_title(),
@@ -60,6 +45,21 @@ Table rk4_table(std::span<const PrintedSolution> solutions) {
 }
 
 }  // namespace
+
+Section motion_section(const Solution& solution) {
+  Section section{.heading = solution.scene().shown_title(), .content = {}};
+  section.content.emplace_back(constants_table(solution));
+  section.content.emplace_back(
+      components_figure(solution, solution.reference, solution.experiment->commands.components));
+  section.content.emplace_back(Paragraph{interpretation(solution)});
+  // Otherwise it wobbles about a stable axis and does not turn over.
+  const auto flips = solution.flips();
+  if (flips ? flips->turns_over() : !solution.own.flip_times.empty()) {
+    section.content.emplace_back(flips_table(solution, {own_solution(solution)}));
+  }
+  section.content.emplace_back(drift_table(solution, {own_solution(solution)}));
+  return section;
+}
 
 Section wrench_section(std::span<const PrintedSolution> solutions) {
   const Language language = solutions.front().solution.scene().language;

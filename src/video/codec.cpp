@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <sstream>
 #include <utility>
 
 #include "base/enumeration.h"

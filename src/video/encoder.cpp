@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <cstddef>
 #include <stdexcept>
 #include <system_error>
 #include <utility>

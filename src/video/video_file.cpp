@@ -1,6 +1,5 @@
 #include "video/video_file.h"
 
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

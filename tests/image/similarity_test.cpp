@@ -1,10 +1,9 @@
-#include "image/similarity.h"
-
 #include <gtest/gtest.h>
 #include <twrench/base/error.h>
 
 #include <cmath>
 
+#include "image/compare.h"
 #include "image/sample_image.h"
 
 namespace twrench::image {

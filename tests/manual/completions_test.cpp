@@ -1,9 +1,8 @@
-#include "manual/completions.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/enumeration.h"
+#include "manual/manual.h"
 #include "manual/program.h"
 #include "run_command.h"
 #include "scene/scene.h"

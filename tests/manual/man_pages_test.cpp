@@ -1,4 +1,4 @@
-#include "manual/man_pages.h"
+#include "manual/manual.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "mesh/mesh_file.h"
-#include "mesh/nesting.h"
 #include "mesh/overlaps.h"
 #include "mesh/refusal.h"
 #include "mesh/samples.h"

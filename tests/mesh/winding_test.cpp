@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "mesh/nesting.h"
+#include "mesh/overlaps.h"
 #include "mesh/samples.h"
 
 namespace twrench::mesh {

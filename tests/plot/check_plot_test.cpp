@@ -1,7 +1,7 @@
-#include "plot/check_plot.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "plot/plots.h"
 
 namespace twrench::plot {
 namespace {

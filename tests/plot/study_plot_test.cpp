@@ -1,5 +1,3 @@
-#include "plot/study_plot.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "plot/plots.h"
 
 namespace twrench::plot {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/terminal/message.h"
 #include "check/report/checked_file.h"
 #include "check/report/report.h"
-#include "plot/check_plot.h"
+#include "plot/plots.h"
 #include "scene/limits.h"
 #include "system/file.h"
 #include "system/output.h"

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <twrench/study/study.h>
+
+#include <string>
 #include <vector>
 
 #include "app/options/command_line.h"
@@ -46,5 +49,16 @@ ProgramModel program_model();
 /// Runs the command that the arguments give, reports its error if it fails, and returns the exit
 /// code.
 ExitCode run(int argc, char** argv);
+
+// Reports of a study. `scene` names the scene that was studied.
+
+/// Returns tables for people to read.
+std::string study_text(const study::Study& study, const std::string& scene);
+
+/// Returns CSV with one line per run; a missing value is empty.
+std::string study_csv(const study::Study& study);
+
+/// Returns JSON with all results; a missing value is null.
+std::string study_json(const study::Study& study, const std::string& scene);
 
 }  // namespace twrench::app

@@ -8,7 +8,7 @@
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "motion/visible_error.h"
-#include "plot/attitude_plot.h"
+#include "plot/plots.h"
 #include "report/solution.h"
 
 namespace twrench::app {

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,13 +7,12 @@
 #include <optional>
 
 #include "app/commands/commands.h"
-#include "app/commands/study_report.h"
 #include "app/options/arguments.h"
 #include "app/options/command_line.h"
 #include "app/options/scene_options.h"
 #include "app/terminal/message.h"
 #include "plot/gnuplot.h"
-#include "plot/study_plot.h"
+#include "plot/plots.h"
 #include "scene/limits.h"
 #include "study/ladder.h"
 #include "system/output.h"

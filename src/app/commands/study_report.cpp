@@ -1,5 +1,3 @@
-#include "app/commands/study_report.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
+
+#include "app/commands/commands.h"
 
 namespace twrench::app {
 namespace {

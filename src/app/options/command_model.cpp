@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <stdexcept>
 
 #include "app/options/arguments.h"
 #include "app/options/scene_options.h"
@@ -142,6 +144,18 @@ std::vector<Command> read_commands(const CLI::App& app) {
 std::string placeholder_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   return type.substr(0, type.find(':'));
+}
+
+std::string heading(OptionGroup group) {
+  std::string text(enumerator_name(group));
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+OptionGroup group_with(const std::string& text, const std::string& option) {
+  const auto found = std::ranges::find(enumerators<OptionGroup>, text, heading);
+  if (found != enumerators<OptionGroup>.end()) return *found;
+  throw std::logic_error("the option " + option + " names no group");
 }
 
 }  // namespace twrench::app

@@ -11,7 +11,7 @@
 
 #include "app/terminal/message.h"
 #include "base/words.h"
-#include "canvas/error.h"
+#include "canvas/font.h"
 #include "check/verdict/error.h"
 #include "film/error.h"
 #include "gl/context.h"

@@ -1,5 +1,3 @@
-#include "app/commands/study_report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/commands/commands.h"
 #include "motion/reference.h"
 
 namespace twrench::app {

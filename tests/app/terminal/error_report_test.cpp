@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "canvas/error.h"
+#include "canvas/font.h"
 #include "gl/context.h"
 #include "plot/gnuplot.h"
 #include "recording/columns/columns.h"

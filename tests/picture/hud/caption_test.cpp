@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/enumeration.h"
-#include "canvas/error.h"
+#include "canvas/font.h"
 #include "canvas/typesetting.h"
 #include "picture/overlay_scene.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/enumeration.h"
-#include "canvas/error.h"
+#include "canvas/font.h"
 #include "picture/overlay_scene.h"
 
 namespace twrench::picture {

@@ -25,4 +25,10 @@ std::string command_page(const app::Command& command, const Release& release);
 /// the text of one.
 std::string scene_page(const std::string& example, const Release& release);
 
+// Each returns a script that completes commands, options and the values of options.
+
+std::string bash_completion(const app::Command& program, const std::vector<app::Command>& commands);
+std::string zsh_completion(const app::Command& program, const std::vector<app::Command>& commands);
+std::string fish_completion(const app::Command& program, const std::vector<app::Command>& commands);
+
 }  // namespace twrench::manual
