@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/argument.h"
+#include "base/words.h"
 #include "page/packing.h"
 
 namespace twrench::page {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "body/equal_moments.h"
+#include "body/moments.h"
 #include "scene/prediction.h"
 
 namespace twrench::picture {
