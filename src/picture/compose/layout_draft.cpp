@@ -187,7 +187,9 @@ bool LayoutDraft::holds_curve(const image::Area& area) const {
 
 bool LayoutDraft::has_room() const {
   const auto enough = [&](const Pane& pane) {
-    return shorter(pane.focus) >= std::max(1.0, least_focus * shorter(pane.area));
+    // A pane also lies behind the caption and the buttons of a telephone.
+    const image::Area area = layout_.caption ? image::common(pane.area, safe_) : pane.area;
+    return shorter(pane.focus) >= std::max(1.0, least_focus * shorter(area));
   };
   const auto room = [&](const std::optional<Pane>& pane) {
     const bool beside_body = overlay_.view == scene::View::wrench;

@@ -283,6 +283,16 @@ TEST(Layout, SetsTheWordsOfSmallPicturesNoSmallerThanCanBeRead) {
                    2 * compute_layout(t_wrench(1920, 1080)).text.title);
 }
 
+TEST(Layout, NamesTheBodiesOfAComparisonInAFilmForTelephones) {
+  scene::Scene scene = t_wrench();
+  scene.film.width = 1080;
+  scene.film.height = 1920;
+  scene.caption = "A caption.";
+  scene.overlay.show = {scene::Feature::omega, scene::Feature::method, scene::Feature::labels};
+  scene.overlay.compare_omega = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+  EXPECT_EQ(compute_layout(scene).legends.size(), 3U);
+}
+
 TEST(Layout, RefusesAComparisonInAViewOfOneMotion) {
   scene::Scene scene = t_wrench(640, 360);
   scene.overlay.compare = {"rk4", "exact"};
