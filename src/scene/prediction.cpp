@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/time_unit.h"
 #include "scene/phrase.h"
@@ -31,28 +33,38 @@ std::string rank_name(std::size_t rank, Language language) {
   return names.at(rank).in(language);
 }
 
-std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,
-                       double omega, Language language) {
+std::string course_of_tilt(const motion::Stability& stability, double omega, Language language) {
   using Kind = motion::Stability::Kind;
-  const motion::Stability stability = motion::stability(principal.moments, axis, omega);
-  const std::string name = axis_name(principal.axes, axis);
   const auto every = [&](const Phrase& phrase, double time) {
     const TimeUnit unit = time_unit(time);
-    return phrase.in(language, name, time / unit.length, unit.symbol, omega);
+    return phrase.in(language, time / unit.length, unit.symbol, omega);
   };
   switch (stability.kind) {
     case Kind::neutral:
-      return Phrase("neutral about {}", "nøytral om {}").in(language, name);
+      return "";
     case Kind::unstable:
-      return every({"unstable about {}, doubles every {:.3g} {} at {:.3g} rad/s",
-                    "ustabil om {}, dobles på {:.3g} {} ved {:.3g} rad/s"},
-                   stability.doubling_time());
+      return every(
+          {"doubles every {:.3g} {} at {:.3g} rad/s", "dobles på {:.3g} {} ved {:.3g} rad/s"},
+          stability.doubling_time());
     case Kind::stable:
-      return every({"stable about {}, wobbles every {:.3g} {} at {:.3g} rad/s",
-                    "stabil om {}, slingrer på {:.3g} {} ved {:.3g} rad/s"},
-                   stability.period());
+      return every(
+          {"wobbles every {:.3g} {} at {:.3g} rad/s", "slingrer på {:.3g} {} ved {:.3g} rad/s"},
+          stability.period());
   }
   return {};
+}
+
+std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,
+                       double omega, Language language) {
+  using Kind = motion::Stability::Kind;
+  static constexpr std::array<std::pair<Kind, Phrase>, 3> kinds{
+      {{Kind::neutral, {"neutral about {}", "nøytral om {}"}},
+       {Kind::unstable, {"unstable about {}, {}", "ustabil om {}, {}"}},
+       {Kind::stable, {"stable about {}, {}", "stabil om {}, {}"}}}};
+  const motion::Stability stability = motion::stability(principal.moments, axis, omega);
+  const auto kind = std::ranges::find(kinds, stability.kind, &std::pair<Kind, Phrase>::first);
+  return kind->second.in(language, axis_name(principal.axes, axis),
+                         course_of_tilt(stability, omega, language));
 }
 
 }  // namespace twrench::scene

@@ -21,6 +21,10 @@ Eigen::Vector3d named_axis(const Eigen::Matrix3d& axes, int axis);
 /// from 0 to 2.
 std::string rank_name(std::size_t rank, Language language);
 
+/// Describes the course of a small tilt of a rotation at `omega` rad/s, such as "doubles every 1.88
+/// s at 1 rad/s"; empty if it neither grows nor oscillates.
+std::string course_of_tilt(const motion::Stability& stability, double omega, Language language);
+
 /// Describes the effect of a small tilt on a body that rotates about a principal axis at `omega`
 /// rad/s, such as "unstable about x, doubles every 1.88 s at 1 rad/s".
 std::string prediction(const body::PrincipalAxes& principal, body::PrincipalAxes::Axis axis,

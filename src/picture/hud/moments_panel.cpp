@@ -75,9 +75,12 @@ MomentsPanel::MomentsPanel(const scene::Scene& scene,
   canvas::Canvas canvas(layer_.image, layer_.x, layer_.y);
   draw_panel(canvas, *layout.moments, size, colors);
   constexpr scene::Phrase heading{"moments of inertia, g cm²", "treghetsmomenter, g cm²"};
-  canvas.text(
-      canvas::typeset_within(typeface.regular, heading.in(scene.language), area.width / size), size,
-      {static_cast<double>(area.x), area.y + 0.95 * size}, {colors.text});
+  constexpr scene::Phrase shorter{"moments, g cm²", "momenter, g cm²"};
+  canvas::Line title = canvas::typeset(typeface.regular, heading.in(scene.language));
+  if (title.width * size > area.width) {
+    title = canvas::typeset_within(typeface.regular, shorter.in(scene.language), area.width / size);
+  }
+  canvas.text(title, size, {static_cast<double>(area.x), area.y + 0.95 * size}, {colors.text});
   const std::array<Bar, 3> bars = bars_of(solutions[0].body, colors);
   const double apart = area.width / 3.0, bottom = area.y + area.height - below_em * size;
   const double most = bottom - area.y - (above_em + 1.3) * size;

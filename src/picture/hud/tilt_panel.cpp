@@ -49,7 +49,9 @@ std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt
                           scene::Language language) {
   const body::PrincipalAxes& principal = body.principal();
   if (body.is_rigid()) {
-    return scene::prediction(principal, tilt.axis(), tilt.steady_rate(), language);
+    const double rate = tilt.steady_rate();
+    return scene::course_of_tilt(motion::stability(principal.moments, tilt.axis(), rate), rate,
+                                 language);
   }
   return scene::Phrase("of {}", "av {}")
       .in(language, scene::axis_name(principal.axes, tilt.axis()));
