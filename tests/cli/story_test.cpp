@@ -204,7 +204,7 @@ TEST(BuiltInStory, HasCaptionsInAnotherLanguage) {
   const std::string command =
       "render explain --size 64x36 --frames 130-131 --progress none --language ";
   ASSERT_EQ(run_twrench(folder, command + "nb -o clip.mp4").code, 0);
-  EXPECT_THAT(text_of(folder / "clip.vtt"), HasSubstr("Den snur"));
+  EXPECT_THAT(text_of(folder / "clip.vtt"), HasSubstr("En vingemutter"));
   ASSERT_EQ(run_twrench(folder, command + "nb --no-video").code, 0);
   EXPECT_TRUE(fs::exists(folder / "out/explain-nb/frame_000130.png"));
   const Outcome unknown = run_twrench(folder, command + "de");
