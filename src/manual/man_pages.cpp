@@ -1,6 +1,4 @@
 // Manual pages in the macros of man(7).
-#include "manual/manual.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +7,7 @@
 #include <sstream>
 
 #include "app/options/scene_options.h"
+#include "manual/manual.h"
 #include "scene/fields.h"
 #include "scene/keys.h"
 

@@ -1,5 +1,3 @@
-#include "plot/plots.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "base/time_unit.h"
 #include "plot/gnuplot.h"
+#include "plot/plots.h"
 #include "scene/phrase.h"
 
 namespace twrench::plot {

@@ -1,6 +1,5 @@
 #include "video/video_file.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -31,9 +31,10 @@ TEST(Strangers, CiteTheReleaseOfTheSources) {
 
 TEST(Strangers, FindTheWayInTheReadme) {
   const std::string readme = text_of("README.md");
-  for (const char* file : {"CITATION.cff", ".github/SECURITY.md", ".github/CODE_OF_CONDUCT.md", "CONTRIBUTING.md",
-                           "LICENSE", "THIRD-PARTY.md", ".github/ISSUE_TEMPLATE/bug.yml",
-                           "docs/README.md", "docs/tutorial.md", "docs/versioning.md"}) {
+  for (const char* file :
+       {"CITATION.cff", ".github/SECURITY.md", ".github/CODE_OF_CONDUCT.md", "CONTRIBUTING.md",
+        "LICENSE", "THIRD-PARTY.md", ".github/ISSUE_TEMPLATE/bug.yml", "docs/README.md",
+        "docs/tutorial.md", "docs/versioning.md"}) {
     EXPECT_THAT(readme, HasSubstr("](" + std::string(file) + ")"));
     EXPECT_TRUE(std::filesystem::exists(project_folder() / file)) << file;
   }

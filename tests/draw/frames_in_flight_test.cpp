@@ -114,9 +114,8 @@ TEST_P(FramesInFlight, AreCompositedWhileOthersAreDrawn) {
         EXPECT_EQ(composited.get().image.pixels, expected[i - 1].pixels) << i;
       }
       if (begun) {
-        composited = std::async(std::launch::async, [frame = std::move(*begun)]() mutable {
-          return frame.finish();
-        });
+        composited = std::async(std::launch::async,
+                                [frame = std::move(*begun)]() mutable { return frame.finish(); });
       }
     }
   }

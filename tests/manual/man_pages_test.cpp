@@ -1,11 +1,10 @@
-#include "manual/manual.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <sstream>
 
+#include "manual/manual.h"
 #include "manual/program.h"
 #include "scene/fields.h"
 
