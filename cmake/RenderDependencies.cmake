@@ -40,6 +40,8 @@ twrench_pkgconfig(libzip "libzip"
   DEBIAN libzip-dev FEDORA libzip-devel ARCH libzip)
 twrench_pkgconfig(pugixml "pugixml"
   DEBIAN libpugixml-dev FEDORA pugixml-devel ARCH pugixml)
+twrench_pkgconfig(yaml-0.1 "libyaml"
+  DEBIAN libyaml-dev FEDORA libyaml-devel ARCH libyaml)
 twrench_pkgconfig(libebur128 "libebur128"
   DEBIAN libebur128-dev FEDORA libebur128-devel ARCH libebur128)
 twrench_pkgconfig(cairo-ft "Cairo with its FreeType fonts"

@@ -49,6 +49,7 @@ render   | ISA-L                         | libisal-dev
 render   | libspng                       | libspng-dev
 render   | libzip                        | libzip-dev
 render   | pugixml                       | libpugixml-dev
+render   | libyaml                       | libyaml-dev
 render   | libebur128                    | libebur128-dev
 render   | meshoptimizer                 | libmeshoptimizer-dev
 render   | zlib                          | zlib1g-dev libz-dev
@@ -163,6 +164,7 @@ arm64    | ISA-L for arm64               | libisal-dev:arm64
 arm64    | libspng for arm64             | libspng-dev:arm64
 arm64    | libzip for arm64              | libzip-dev:arm64
 arm64    | pugixml for arm64             | libpugixml-dev:arm64
+arm64    | libyaml for arm64             | libyaml-dev:arm64
 arm64    | libebur128 for arm64          | libebur128-dev:arm64
 arm64    | meshoptimizer for arm64       | libmeshoptimizer-dev:arm64
 arm64    | zlib for arm64                | zlib1g-dev:arm64 libz-dev:arm64

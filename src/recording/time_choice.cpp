@@ -119,6 +119,11 @@ double median_interval(const Times& times) {
   return *middle;
 }
 
+/// Whether the file is a log of Betaflight, whose time is in us.
+bool is_of_betaflight(const table::Header& header) {
+  return std::ranges::find(header.names, "loopIteration") != header.names.end();
+}
+
 /// Whether the name means seconds unless it states another unit.
 bool means_seconds(const std::string& name) {
   const std::vector<std::string> words = words_of(name);
@@ -135,8 +140,10 @@ bool is_sample_time_fine(const std::string& name) {
 }
 
 /// The units that the numbers allow; none if they are seconds as usual.
-std::vector<TimeUnit> units_of(const std::string& name, const Times& times) {
+std::vector<TimeUnit> units_of(const table::Header& header, const Times& times) {
   if (!do_increase(times)) return {};
+  if (is_of_betaflight(header)) return {TimeUnit::us};
+  const std::string& name = header.names[times.column];
   const double interval = median_interval(times);
   if (is_sample_time_fine(name)) {
     return {interval < 1000 ? TimeUnit::tenth_ms : TimeUnit::us};
@@ -185,7 +192,7 @@ std::vector<Convention> with_times(const Recording& recording, std::vector<Conve
     const auto times = std::ranges::find(all, column_of(convention), &Times::column);
     if (times == all.end()) continue;
     std::vector<TimeUnit> units;
-    if (!convention.time_unit) units = units_of(header.names[times->column], *times);
+    if (!convention.time_unit) units = units_of(header, *times);
     if (units.empty()) result.push_back(convention);
     for (const TimeUnit unit : units) {
       result.push_back(convention);

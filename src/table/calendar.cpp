@@ -128,7 +128,7 @@ std::optional<long long> take_date(Parts& parts, DateOrder order) {
   }
   const bool is_compact = parts.begins_with_number_of(8);
   const auto year = parts.take_number(4, 9999);
-  if (!year || !(is_compact || parts.take("-/"))) return std::nullopt;
+  if (!year || !(is_compact || parts.take("-/ "))) return std::nullopt;
   if (!is_compact && parts.begins_with_number_of(3)) {
     const auto day = parts.take_number(3, 366);
     const std::chrono::year in_year(*year);
@@ -136,8 +136,9 @@ std::optional<long long> take_date(Parts& parts, DateOrder order) {
     const std::chrono::sys_days first = in_year / 1 / 1;
     return first.time_since_epoch().count() + *day - 1;
   }
-  const auto month = parts.take_number(2, 12);
-  if (!month || !(is_compact || parts.take("-/"))) return std::nullopt;
+  const int named = is_compact ? 0 : month_named(parts.take_letters());
+  const auto month = named > 0 ? std::optional(named) : parts.take_number(2, 12);
+  if (!month || !(is_compact || parts.take(named > 0 ? "-/ " : "-/"))) return std::nullopt;
   const auto day = parts.take_number(2, 31);
   return day ? days_of(*year, *month, *day) : std::nullopt;
 }
@@ -185,7 +186,11 @@ std::optional<Clock> take_clock(Parts& parts) {
   if (has_second) second = parts.take_number(2, 60);
   if (!second) return std::nullopt;
   Clock clock{*second * nanoseconds_in_second, 0};
-  if (has_second && parts.take(".,") && !take_fraction(parts, clock)) return std::nullopt;
+  // Physics Toolbox writes milliseconds behind a colon; a number of two digits would count frames.
+  const bool has_milliseconds = has_second && parts.take(":");
+  if (has_milliseconds && !parts.begins_with_number_of(3)) return std::nullopt;
+  const bool has_fraction = has_milliseconds || (has_second && parts.take(".,"));
+  if (has_fraction && !take_fraction(parts, clock)) return std::nullopt;
   const auto hour_of_day = take_half_of_day(parts, *hour);
   if (!hour_of_day) return std::nullopt;
   clock.nanoseconds += 60LL * (60 * *hour_of_day + *minute) * nanoseconds_in_second;

@@ -41,8 +41,8 @@ std::string without_doubled_quotes(std::string_view cell) {
 
 /// Whether the cell contains a unit of times, angles or rates and nothing else.
 bool is_known_unit(std::string_view cell) {
-  constexpr std::array known{"s",     "sec",   "ms",      "us",      "ns",     "deg",     "rad",
-                             "deg/s", "rad/s", "deg/sec", "rad/sec", "\u00b0", "\u00b0/s"};
+  constexpr std::array known{"s",     "sec",   "ms",      "us",      "ns",     "deg",      "rad",
+                             "deg/s", "rad/s", "deg/sec", "rad/sec", "\u00b0", "\u00b0/s", "mm"};
   const bool bracketed = cell.size() > 2 && (cell.front() == '[' || cell.front() == '(');
   if (bracketed) cell = cell.substr(1, cell.size() - 2);
   return std::ranges::find(known, cell) != known.end();

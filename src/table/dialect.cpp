@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "system/error.h"
+#include "table/calendar.h"
 #include "table/line_reader.h"
 #include "table/number_text.h"
 
@@ -122,6 +123,25 @@ std::string without_mark(std::string_view comment) {
   return std::string(first == std::string_view::npos ? "" : trimmed(comment.substr(first)));
 }
 
+/// Joins the cells of a date that has blanks around its month's name: 01 Jan 2026 12:00:00.
+void join_dates(std::vector<std::string_view>& cells) {
+  for (std::size_t month = 1; month + 1 < cells.size(); ++month) {
+    const bool begins_with_letter = !cells[month].empty() && cells[month].front() >= 'A';
+    if (!begins_with_letter || cells[month - 1].empty()) continue;
+    const char* const begin = cells[month - 1].data();
+    for (const std::size_t last : {std::min(month + 2, cells.size() - 1), month + 1}) {
+      const char* const end = cells[last].data() + cells[last].size();
+      const std::string_view date(begin, static_cast<std::size_t>(end - begin));
+      Number number;
+      if (read_calendar(date, number, DateOrder::day_first) == Calendar::none) continue;
+      cells[month - 1] = date;
+      const auto next = cells.begin() + static_cast<std::ptrdiff_t>(month);
+      cells.erase(next, next + static_cast<std::ptrdiff_t>(last - month + 1));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 bool is_blank_or_comment(std::string_view line, bool semicolon_marks_comment) {
@@ -168,6 +188,7 @@ bool split_cells(std::string_view line, char separator, std::vector<std::string_
     if (end == line.size()) break;
     at = end + 1;
   }
+  if (separator == ' ') join_dates(cells);
   return closed;
 }
 

@@ -44,8 +44,9 @@ Sample read_sample(const Input& input, std::size_t skipped);
 /// read in two ways.
 Dialect detect_dialect(const Sample& sample, const std::string& file);
 
-/// Splits a line at the separator, and removes blanks and quotation marks around the cells. Returns
-/// false if a quotation mark is not closed.
+/// Splits a line at the separator, and removes blanks and quotation marks around the cells. Between
+/// blanks, a date such as 01 Jan 2026 12:00:00 is one cell. Returns false if a quotation mark is
+/// not closed.
 bool split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 /// Whether the text is a number, with a decimal point or a decimal comma.

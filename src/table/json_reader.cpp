@@ -14,7 +14,8 @@
 
 namespace twrench::table {
 
-JsonReader::JsonReader(Input input) : input_(std::move(input)), cursor_(input_) {
+JsonReader::JsonReader(Input input, bool is_converted)
+    : input_(std::move(input)), is_converted_(is_converted), cursor_(input_) {
   header_.file = input_.name();
   open_rows();
   if (!next_row()) throw BadTable(header_.file, "it has no rows");

@@ -18,7 +18,9 @@ namespace twrench::table {
 /// arrays, are converted first.
 class JsonReader : public Reader {
  public:
-  explicit JsonReader(Input input);
+  /// `is_converted` is whether the input was converted from another format, so that its lines are
+  /// not those of the file.
+  explicit JsonReader(Input input, bool is_converted = false);
 
   void begin_pass(std::span<const std::size_t> columns) override;
   bool next(std::span<Number> numbers) override;
@@ -36,7 +38,7 @@ class JsonReader : public Reader {
   const JsonCell& cell_of(std::size_t column) const;
 
   Input input_;
-  bool is_converted_ = false;  ///< the lines are then rows, not those of the file
+  bool is_converted_;  ///< the lines are then rows, not those of the file
   JsonCursor cursor_;
   Layout layout_ = Layout::array;
   bool at_first_ = true;  ///< no row was taken yet

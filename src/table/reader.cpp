@@ -12,6 +12,7 @@
 #include "system/file_kind.h"
 #include "table/aem_reader.h"
 #include "table/aem_xml.h"
+#include "table/ardupilot_log.h"
 #include "table/csv_reader.h"
 #include "table/error.h"
 #include "table/input.h"
@@ -22,6 +23,7 @@
 #include "table/opensim_quaternions.h"
 #include "table/stk_attitude.h"
 #include "table/utf16.h"
+#include "table/yaml.h"
 
 namespace twrench::table {
 namespace {
@@ -93,6 +95,8 @@ std::unique_ptr<Reader> open_format(Input input) {
     StkTable table = table_of_stk(input);
     return std::make_unique<CsvReader>(std::move(table.input), std::move(table.sequence));
   }
+  if (is_of_ardupilot(start)) return std::make_unique<CsvReader>(table_of_ardupilot(input));
+  if (is_yaml(start)) return std::make_unique<JsonReader>(json_from_yaml(input), true);
   if (has_quaternion_cells(start)) return std::make_unique<CsvReader>(table_of_quaternions(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
   return std::make_unique<CsvReader>(std::move(input));

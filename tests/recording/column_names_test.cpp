@@ -1,10 +1,12 @@
 // The names by which columns are recognised.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "recording/columns/unread_columns.h"
 #include "recording/readings_by_name.h"
 
 namespace twrench::recording {
@@ -187,6 +189,50 @@ TEST(Conventions, FindQuaternionsAsEnginesNameThem) {
                           "qz=$world_body_qz"));
 }
 
+TEST(Conventions, FindTheStatesOfSimulators) {
+  const auto numbered = [](const std::string& before, int count, const std::string& after = "") {
+    Names names;
+    for (int i = 0; i < count; ++i) names.push_back(fmt::format("{}{}{}", before, i, after));
+    return names;
+  };
+  const auto joined = [](Names names, const Names& more) {
+    names.insert(names.end(), more.begin(), more.end());
+    return names;
+  };
+  EXPECT_THAT(
+      readings_of(joined(joined({"time"}, numbered("qpos[", 7, "]")), numbered("qvel[", 6, "]"))),
+      ElementsAre("t=time,wx=qvel[3],wy=qvel[4],wz=qvel[5],qw=qpos[3],qx=qpos[4],"
+                  "qy=qpos[5],qz=qpos[6]"));
+  EXPECT_THAT(readings_of(joined(joined({"time"}, numbered("qpos_", 4)), numbered("qvel_", 3))),
+              ElementsAre("t=time,wx=qvel_0,wy=qvel_1,wz=qvel_2,qw=qpos_0,qx=qpos_1,qy=qpos_2,"
+                          "qz=qpos_3"));
+  EXPECT_THAT(refusal(joined({"time"}, numbered("qpos_", 14))), HasSubstr("no columns have names"));
+  EXPECT_THAT(readings_of(joined({"time"}, numbered("root_state_", 13))), SizeIs(2));
+  EXPECT_THAT(readings_of({"t", "rot_e0", "rot_e1", "rot_e2", "rot_e3", "wvel_loc_x", "wvel_loc_y",
+                           "wvel_loc_z"}),
+              ElementsAre("t=t,wx=wvel_loc_x,wy=wvel_loc_y,wz=wvel_loc_z,qw=rot_e0,qx=rot_e1,"
+                          "qy=rot_e2,qz=rot_e3"));
+  const auto isaac = conventions(
+      header_of({"t", "root_quat_w_w", "root_quat_w_x", "root_quat_w_y", "root_quat_w_z",
+                 "root_ang_vel_w_x", "root_ang_vel_w_y", "root_ang_vel_w_z"}),
+      {});
+  ASSERT_THAT(isaac, SizeIs(1));
+  EXPECT_TRUE(isaac.front().rates_in_space);
+  EXPECT_EQ(isaac.front().columns.at("qw"), "root_quat_w_w");
+}
+
+TEST(Conventions, FindQuaternionsAsViconNamesThem) {
+  EXPECT_THAT(readings_of({"t", "RX", "RY", "RZ", "RW", "TX", "TY", "TZ"}),
+              ElementsAre("t=t,qw=RW,qx=RX,qy=RY,qz=RZ"));
+}
+
+TEST(Conventions, ReadRatesBesideAnIncompleteAttitude) {
+  const Names names{"t", "wx (rad/s)", "wy (rad/s)", "wz (rad/s)", "Pitch", "Roll"};
+  const auto found = conventions(header_of(names), {});
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_THAT(unread_columns(header_of(names), found.front()), ElementsAre("Pitch", "Roll"));
+}
+
 // As OpenSim writes it.
 TEST(Owners, MayPrecedeTheNames) {
   EXPECT_THAT(readings_of({"Sat.ElapsedSecs", "Sat.AngularVelocityX", "Sat.AngularVelocityY",
@@ -200,6 +246,10 @@ TEST(Owners, MayPrecedeTheNames) {
   EXPECT_THAT(readings_of({"/t", "/a/gyro/x", "/a/gyro/y", "/a/gyro/z", "/b/gyro/x", "/b/gyro/y",
                            "/b/gyro/z"}),
               SizeIs(2));
+  EXPECT_THAT(
+      readings_of({"time", "Six DOF/omega_b(1)", "Six DOF/omega_b(2)", "Six DOF/omega_b(3)"}),
+      SizeIs(1));
+  EXPECT_THAT(readings_of({"t", "pqr(1) rad/s", "pqr(2) rad/s", "pqr(3) rad/s"}), SizeIs(1));
   EXPECT_THAT(refusal({"t", "bias.gyro.x", "bias.gyro.y", "bias.gyro.z"}),
               HasSubstr("no columns have names of rates"));
   EXPECT_THAT(refusal({"x (m/s)", "wx", "wy", "wz"}),

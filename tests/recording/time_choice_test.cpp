@@ -74,6 +74,12 @@ TEST(TimeChoice, ReadsTheClockOfXsens) {
   EXPECT_THAT(units_from("SampleTimeFine", 7, 16667), ElementsAre("SampleTimeFine in us"));
 }
 
+TEST(TimeChoice, ReadsTheClockOfBetaflight) {
+  EXPECT_THAT(times_in(csv_with("loopIteration,time",
+                                [](long i) { return fmt::format("{},{}", i, 20000 * i); })),
+              ElementsAre("time in us"));
+}
+
 TEST(TimeChoice, TakesOneOfTimesThatAgree) {
   EXPECT_THAT(times_in(csv_with("seconds_elapsed,time",
                                 [](long i) {

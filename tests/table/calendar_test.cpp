@@ -37,8 +37,9 @@ TEST(Calendar, ReadsOtherFormsWhoseOrderIsStated) {
   const double t = number_of("2026-11-28T14:05:06.5", Calendar::date_time).value;
   for (const char* text :
        {"28/11/2026 14:05:06.5", "11/28/2026 14:05:06.5", "28.11.2026 14:05:06,5",
-        "28 Nov 2026 14:05:06.500", "28-NOV-2026 2:05:06.5 PM", "11/28/2026 2:05:06.5pm",
-        "20261128T140506.5Z", "2026-332T14:05:06.5", "28/11/2026 14:05:06.5 UTC"}) {
+        "28 Nov 2026 14:05:06.500", "2026 NOV 28 14:05:06.5", "2026-Nov-28 14:05:06:500",
+        "28-NOV-2026 2:05:06.5 PM", "11/28/2026 2:05:06.5pm", "20261128T140506.5Z",
+        "2026-332T14:05:06.5", "28/11/2026 14:05:06.5 UTC"}) {
     EXPECT_EQ(number_of(text, Calendar::date_time).value, t) << text;
   }
   EXPECT_EQ(number_of("3.4.2026 9:05", Calendar::date_time).value,

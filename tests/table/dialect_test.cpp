@@ -22,6 +22,16 @@ TEST(Dialect, IsThatWhichMakesTheMostNumbers) {
   EXPECT_EQ(separator_in("date\tt\n2026-11-23 05:00\t1\n2026-11-23 06:00\t2\n"), '\t');
 }
 
+// As GMAT and SPICE write them.
+TEST(Dialect, JoinsDatesBetweenBlanks) {
+  for (const char* date : {"01 Jan 2026 12:00:00.000", "2026 JAN 01 12:00:00", "1 Mar 2026"}) {
+    const std::string line = std::string(date) + "   0.5 nan 3";
+    std::vector<std::string_view> cells;
+    split_cells(line, ' ', cells);
+    EXPECT_EQ(cells, (std::vector<std::string_view>{date, "0.5", "nan", "3"}));
+  }
+}
+
 TEST(Dialect, SplitsCells) {
   std::vector<std::string_view> cells;
   EXPECT_TRUE(split_cells(" a , \"b,c\" ,,d", ',', cells));

@@ -166,6 +166,25 @@ TEST(StkAttitude, IsATable) {
               testing::HasSubstr("run:10: the column 'qz': 'x' is no number"));
 }
 
+TEST(ArduPilot, HasTheMessagesOfOneKind) {
+  const std::string formats =
+      "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n"
+      "FMT, 64, 35, ATT, Qcc, TimeUS,Roll,Yaw\n"
+      "FMT, 65, 60, IMU, QBff, TimeUS,I,GyrX,GyrY\n";
+  const std::string gyroscopes = "IMU, 10, 0, 0.5, 0.25\nIMU, 10, 1, 9, 9\nIMU, 20, 0, 1, 2\n";
+  const Table rates = read_table(formats + gyroscopes);
+  EXPECT_EQ(rates.names, (std::vector<std::string>{"TimeUS", "I", "GyrX", "GyrY"}));
+  EXPECT_EQ(rates.rows, (std::vector<std::vector<double>>{{10, 0, 0.5, 0.25}, {20, 0, 1, 2}}));
+  const std::string attitudes = "ATT, 15, 1.5, 90\nPARM, 15, NAME, 3\nATT, 25, 2, 91\n";
+  const Table angles = read_table(formats + gyroscopes + attitudes);
+  EXPECT_EQ(angles.names, (std::vector<std::string>{"TimeUS", "Roll", "Yaw"}));
+  EXPECT_EQ(angles.rows, (std::vector<std::vector<double>>{{15, 1.5, 90}, {25, 2, 91}}));
+  EXPECT_THAT(table_error_of(formats + attitudes + "ATT, 35, x, 92\n"),
+              testing::HasSubstr("run:7: the column 'Roll': 'x' is no number"));
+  EXPECT_THAT(file_error_of(formats + "MSG, 1, ArduCopter\n"),
+              testing::HasSubstr("has no messages ATT, IMU or GYR"));
+}
+
 // Euler angles turn about axes that turn with the body, yaw, pitch and roll about fixed ones.
 TEST(StkAttitude, StatesTheSequenceOfItsAngles) {
   const auto opened = [](const std::string& keywords) {

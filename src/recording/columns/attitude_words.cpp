@@ -34,9 +34,9 @@ std::optional<std::pair<std::size_t, std::size_t>> indices_of(const Words& words
 }
 
 bool are_of_matrix(const Words& words) {
-  return !words.empty() &&
-         has_only(words, {"x", "r", "t", "rot", "mat", "rotation", "dcm", "m", "c", "a", "matrix",
-                          "rotmat", "attitude", "att", "orientation", "body"});
+  return !words.empty() && has_only(words, {"x", "r", "t", "rot", "mat", "rotation", "dcm", "m",
+                                            "c", "a", "matrix", "rotmat", "attitude", "att",
+                                            "orientation", "body", "dcmbe", "dcmbi", "dcmbn"});
 }
 
 /// Adds the roles of a component of a vector, whose word is the last one. `is_named` is whether the
@@ -99,19 +99,33 @@ void add_quaternion(const Words& all_words, std::vector<Role>& roles) {
       {"wxyz", {{"w", "s", "scalar", "real", "r"}, {"x", "i"}, {"y", "j"}, {"z", "k"}}},
       {"0123", {{"0"}, {"1"}, {"2"}, {"3"}}},
       {"1234", {{"1"}, {"2"}, {"3"}, {"4"}}}};
+  // Vicon's RX, RY, RZ and RW.
+  if (const auto component =
+          component_of({"wxyz", {{"rw"}, {"rx"}, {"ry"}, {"rz"}}}, words.front());
+      component && words.size() == 1) {
+    roles.push_back({"r", *component, false, false, true});
+  }
   if (words.size() < 2) return;
   const Words rest = without(words, words.size() - 1);
+  // The Euler parameters e0 to e3 begin with the scalar.
+  const auto digit = digit_of(words.back());
+  if (digit && *digit < 4 && (rest == Words{"e"} || rest == Words{"rot", "e"})) {
+    roles.push_back({"e", *digit, false, false, true});
+    return;
+  }
   const List orders{"wxyz", "xyzw"};
-  const List names{"q",   "quat",  "quaternion",  "orientation",  "orient",    "ori", "attitude",
-                   "att", "quats", "quaternions", "orientations", "attitudes", "orn", "beta"};
+  const List names{"q",        "quat", "quaternion", "orientation", "orient",       "ori",
+                   "attitude", "att",  "quats",      "quaternions", "orientations", "attitudes",
+                   "orn",      "beta", "framequat",  "xquat"};
   const bool is_weak = !has_any(rest, names);
-  const bool is_known =
-      (!is_weak || has_any(rest, {"rotation", "rot"})) &&
-      std::ranges::all_of(rest, [&](const auto& word) {
-        return is_in(names, word) || is_in(orders, word) ||
-               is_in({"body", "base", "world", "rotation", "rot", "b", "i", "n", "e", "a"}, word) ||
-               is_owner(word) || is_frame_pair(word);
-      });
+  const bool is_known = (!is_weak || has_any(rest, {"rotation", "rot"})) &&
+                        std::ranges::all_of(rest, [&](const auto& word) {
+                          return is_in(names, word) || is_in(orders, word) ||
+                                 is_in({"body", "base", "root", "link", "world", "rotation", "rot",
+                                        "b", "i", "n", "e", "a", "w"},
+                                       word) ||
+                                 is_owner(word) || is_frame_pair(word);
+                        });
   if (!is_known) return;
   for (const Alphabet& alphabet : parts) {
     const auto component = component_of(alphabet, words.back());

@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/words.h"
@@ -61,6 +64,57 @@ Group find_ours(const table::Header& header, Kind kind) {
     }
   }
   return group;
+}
+
+/// A vector whose length shows where it has a quaternion or rates: the state of a simulator.
+struct StateVector {
+  std::string_view name;
+  std::size_t size;
+  Kind kind;
+  std::size_t first;  ///< the index of the first number
+  bool is_open = false, in_space = false;
+};
+
+/// MuJoCo's free and ball joints, whose rates are about the body's axes, and the root of Isaac,
+/// whose rates are about those of space.
+constexpr std::array<StateVector, 8> state_vectors{
+    {{"qpos", 7, Kind::quaternion, 3},
+     {"qpos", 4, Kind::quaternion, 0},
+     {"qvel", 6, Kind::rates, 3},
+     {"qvel", 3, Kind::rates, 0},
+     {"root_state", 13, Kind::quaternion, 3, true},
+     {"root_states", 13, Kind::quaternion, 3, true},
+     {"root_state", 13, Kind::rates, 10, false, true},
+     {"root_states", 13, Kind::rates, 10, false, true}}};
+
+/// The columns of a state vector, in order: "qpos_0", "qpos[1]", "data.qpos2" ...
+std::vector<std::size_t> columns_of_vector(const table::Header& header, std::string_view name) {
+  const std::vector<std::string> stem = words_of(name);
+  std::vector<std::size_t> columns;
+  for (std::size_t column = 0; column < header.names.size(); ++column) {
+    std::vector<std::string> words = words_of(header.names[column]);
+    if (words.size() <= stem.size()) continue;
+    const bool is_numbered = words.back().find_first_not_of("0123456789") == std::string::npos;
+    words.pop_back();
+    const bool is_of_vector = std::equal(stem.rbegin(), stem.rend(), words.rbegin());
+    if (is_numbered && is_of_vector) columns.push_back(column);
+  }
+  return columns;
+}
+
+std::vector<ColumnSet> sets_of_vectors(const table::Header& header, Kind kind) {
+  std::vector<ColumnSet> sets;
+  for (const StateVector& vector : state_vectors) {
+    if (vector.kind != kind) continue;
+    const std::vector<std::size_t> all = columns_of_vector(header, vector.name);
+    if (all.size() != vector.size) continue;
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(vector.first);
+    const ColumnSet set{
+        kind, {first, first + static_cast<std::ptrdiff_t>(names_of(kind).size())}, vector.in_space};
+    if (!vector.is_open) sets.push_back(set);
+    if (vector.is_open) std::ranges::move(orders_of(kind, set.columns), std::back_inserter(sets));
+  }
+  return sets;
 }
 
 /// The name, and a unit of rates or times in the row below it as if it were a part of it.
@@ -165,12 +219,12 @@ std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& colu
   return sets;
 }
 
-std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
+std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind, Incomplete incomplete) {
   if (const Group ours = find_ours(header, kind); is_complete(ours)) {
     return {{kind, require_single(header, kind, ours), false}};
   }
   const std::map<std::string, Group> groups = find_groups(header, kind);
-  std::vector<ColumnSet> sets;
+  std::vector<ColumnSet> sets = sets_of_vectors(header, kind);
   for (const auto& [name, group] : groups) {
     if (!is_complete(group)) continue;
     const std::vector<std::size_t> columns = require_single(header, kind, group);
@@ -180,7 +234,7 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind) {
       sets.push_back({kind, columns, group.in_space, group.is_weak});
     }
   }
-  if (sets.empty()) require_no_rest(header, kind, groups);
+  if (sets.empty() && incomplete == Incomplete::refused) require_no_rest(header, kind, groups);
   return sets;
 }
 

@@ -16,10 +16,15 @@ struct ColumnSet {
   bool is_weak = false;              ///< whether the names have other usual meanings
 };
 
+/// Whether a set that lacks a column is an error: rates without one may be read without an
+/// attitude.
+enum class Incomplete { refused, ignored };
+
 /// Finds the columns of a kind by their names, and returns every set that the names allow. Our own
-/// names take precedence over all others. Throws ColumnError if a set is incomplete, or if two
-/// columns could be the same component.
-std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind);
+/// names take precedence over all others. Throws ColumnError if the only set is incomplete and that
+/// is refused, or if two columns could be the same component.
+std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind,
+                                 Incomplete incomplete = Incomplete::refused);
 
 /// Returns the rates in a file of a gyroscope whose columns say no more than x, y, z, or xyz[0] to
 /// xyz[2], or gx, gy, gz: names that only mean rates if the file has nothing else. Throws

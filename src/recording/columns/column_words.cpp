@@ -17,11 +17,12 @@ void add_time(const Words& all_words, std::vector<Role>& roles) {
   const List clocks{"t",    "time",  "timestamp", "timestamps", "stamp",    "epoch",
                     "epoc", "ts",    "elapsed",   "datetime",   "unixtime", "utc",
                     "zeit", "temps", "tiempo",    "tempo"};
-  const List qualifiers{"sim",   "simulation",  "unix",        "gps",       "system", "sys",
-                        "boot",  "since",       "header",      "sample",    "fine",   "host",
-                        "log",   "logging",     "chip",        "local",     "date",   "reboot",
-                        "start", "measurement", "gyro",        "gyroscope", "rel",    "relative",
-                        "abs",   "absolute",    "acquisition", "1970",      "clock",  "startup"};
+  const List qualifiers{
+      "sim",   "simulation", "unix",   "gps",      "system", "sys",      "boot",
+      "since", "header",     "sample", "fine",     "host",   "log",      "logging",
+      "chip",  "local",      "date",   "reboot",   "start",  "in",       "measurement",
+      "gyro",  "gyroscope",  "rel",    "relative", "abs",    "absolute", "acquisition",
+      "1970",  "clock",      "startup"};
   const bool is_time =
       has_any(words, clocks) || (unit.time && words.empty()) || unit.time == TimeUnit::d;
   const bool is_julian = unit.time == TimeUnit::d;  // "A1ModJulian" counts atomic time
@@ -75,10 +76,15 @@ std::vector<Role> roles_of_words(const Words& words, Kind kind) {
   return roles;
 }
 
-/// Where the next point or colon outside brackets is, from `at` on; a name that begins with a slash
-/// is a path of slashes.
+/// Whether the text begins with a unit of times, as behind the slash of "rad/s".
+bool begins_with_time_unit(std::string_view text) {
+  const Words words = words_of(text);
+  return !words.empty() && stated_unit({words.front()}).time.has_value();
+}
+
+/// Where the next point, colon or slash outside brackets is, from `at` on, unless the slash is that
+/// of a unit.
 std::size_t next_separator(std::string_view name, std::size_t at) {
-  const std::string_view separators = name.starts_with('/') ? ".:/" : ".:";
   const std::string_view before = name.substr(0, at);
   auto depth = std::ranges::count(before, '(') + std::ranges::count(before, '[') -
                std::ranges::count(before, ')') - std::ranges::count(before, ']');
@@ -86,7 +92,8 @@ std::size_t next_separator(std::string_view name, std::size_t at) {
     const char c = name[at];
     if (c == '(' || c == '[') ++depth;
     if (c == ')' || c == ']') --depth;
-    if (depth == 0 && separators.find(c) != std::string_view::npos) return at;
+    const bool is_slash = c == '/' && !begins_with_time_unit(name.substr(at + 1));
+    if (depth == 0 && (c == '.' || c == ':' || is_slash)) return at;
   }
   return std::string_view::npos;
 }

@@ -20,8 +20,8 @@ struct Role {
   bool is_weak = false;       ///< for rx and sigma_1, which also have other usual meanings
 };
 
-/// Returns the roles of this kind that a column of this name may have. What precedes a point or a
-/// colon may name an owner: "Sat.Q1", "IMU_ATTI(0):gyroX".
+/// Returns the roles of this kind that a column of this name may have. What precedes a point, a
+/// colon or a slash may name an owner: "Sat.Q1", "IMU_ATTI(0):gyroX", "6DOF/omega_b(1)".
 std::vector<Role> roles_of(std::string_view name, Kind kind);
 
 }  // namespace twrench::recording

@@ -122,7 +122,9 @@ std::vector<ColumnSet> times(const table::Header& header, const Convention& said
   }
   if (found.empty()) {
     throw ColumnError(header.file, "t", "no column is recognised as the time",
-                      columns_remedy(header));
+                      columns_remedy(header) +
+                          "; if none has times, state the rate of the rows in a comment above "
+                          "them, such as '# frame rate: 100 Hz'");
   }
   return found;
 }
@@ -137,11 +139,22 @@ std::vector<ColumnSet> find_rates(const table::Header& header) {
 /// The attitudes by the names of their columns. Names that have other usual meanings count only if
 /// no others are there, and so do Euler angles whose sequence is open, unless other attitudes have
 /// the same columns.
-std::vector<ColumnSet> find_attitudes(const table::Header& header, const Convention& said) {
+std::vector<ColumnSet> find_attitudes(const table::Header& header, const Convention& said,
+                                      Incomplete incomplete) {
   std::vector<ColumnSet> found;
   for (const Kind kind : attitude_kinds())
-    std::ranges::move(find_sets(header, kind), std::back_inserter(found));
+    std::ranges::move(find_sets(header, kind, incomplete), std::back_inserter(found));
   if (!std::ranges::all_of(found, &ColumnSet::is_weak)) std::erase_if(found, &ColumnSet::is_weak);
+  // Three of the four columns of a quaternion may have the names of other rotations.
+  const auto quaternion = std::ranges::find(found, Kind::quaternion, &ColumnSet::kind);
+  if (quaternion != found.end()) {
+    const std::set of_quaternion(quaternion->columns.begin(), quaternion->columns.end());
+    std::erase_if(found, [&](const ColumnSet& set) {
+      return set.kind != Kind::quaternion &&
+             std::ranges::all_of(
+                 set.columns, [&](std::size_t column) { return of_quaternion.contains(column); });
+    });
+  }
   const auto is_preferred = [&](const ColumnSet& other, const ColumnSet& euler) {
     return other.kind != Kind::euler && std::set(other.columns.begin(), other.columns.end()) !=
                                             std::set(euler.columns.begin(), euler.columns.end());
@@ -227,7 +240,9 @@ std::vector<ColumnChoice> column_choices(const table::Header& header, const Conv
   std::vector<std::optional<ColumnSet>> rates{said_rates(header, said)};
   std::vector<std::optional<ColumnSet>> attitude{said_attitude(header, said)};
   if (!rates.front() && !attitude.front()) {
-    std::vector<ColumnSet> found_rates = find_rates(header), found = find_attitudes(header, said);
+    std::vector<ColumnSet> found_rates = find_rates(header);
+    std::vector<ColumnSet> found = find_attitudes(
+        header, said, found_rates.empty() ? Incomplete::refused : Incomplete::ignored);
     if (found_rates.empty() && found.empty()) found_rates = bare_rates(header);
     rates = or_nothing(found_rates);
     attitude = or_nothing(found);

@@ -8,8 +8,11 @@
 namespace twrench::recording {
 namespace {
 
-/// Whether the letter after a pair of frames places the components in space axes: omega_BN_N.
+/// Whether the words place the components in space axes: a frame after a pair of frames, as in
+/// omega_BN_N, or the last word of root_ang_vel_w, as Isaac Lab abbreviates the world.
 bool is_resolved_in_space(const Words& words) {
+  if (has_any(words, {"space", "world", "global", "par"})) return true;
+  if (has_any(words, {"root", "link"}) && words.back() == "w") return true;
   const auto pair = std::ranges::find_if(words, is_frame_pair);
   return pair != words.end() && pair + 1 != words.end() &&
          is_in({"n", "r", "i", "w", "e", "g"}, *(pair + 1));
@@ -18,11 +21,13 @@ bool is_resolved_in_space(const Words& words) {
 /// Whether the words other than the axis are those of an angular velocity.
 bool are_of_rates(const Words& words) {
   if (words == Words{"w", "a"}) return true;  // Modelica: the body's, about the axes of its frame_a
-  const List rates{"omega", "w", "gyro", "gyroscope", "gyr", "angvel", "rate", "rates", "omegas"};
+  const List rates{"omega", "w",     "gyro",   "gyroscope", "gyr",  "angvel",
+                   "rate",  "rates", "omegas", "av",        "wvel", "pqr"};
   const List about{"ang", "angular", "rotation", "rotational"};
   const List of_motion{"vel", "velocity", "velocities", "speed", "twist"};
   const List frames{"inertial", "ei", "eci", "earth"};
-  const List others{"body", "b", "wrt", "space", "world", "global", "true", "axis"};
+  const List others{"body", "b",   "wrt",  "space", "world", "global", "local",
+                    "loc",  "par", "root", "link",  "true",  "axis"};
   const bool is_in_space = is_resolved_in_space(words);
   for (const std::string& word : words) {
     const bool is_known = is_in(rates, word) || is_in(about, word) || is_in(of_motion, word) ||
@@ -73,9 +78,8 @@ void add_rates(const Words& all_words, std::vector<Role>& roles) {
       const bool is_known =
           alphabet.name == "pqr" ? has_only(rest, {"body", "rate"}) : are_of_rates(rest);
       if (!is_known && !is_rate_by_unit) continue;
-      roles.push_back({group_of(alphabet, all_words, words[i]), *component,
-                       has_any(rest, {"space", "world", "global"}) || is_resolved_in_space(rest),
-                       false});
+      roles.push_back(
+          {group_of(alphabet, all_words, words[i]), *component, is_resolved_in_space(rest), false});
     }
   }
 }

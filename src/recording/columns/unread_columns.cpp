@@ -50,23 +50,30 @@ bool may_be_rates(const Words& stem) {
                          "dcm", "rot", "rotvec", "mrp"});
 }
 
+/// Whether the name is that of an Euler angle, even if the others are missing.
+bool is_angle(const std::string& name) {
+  return std::ranges::any_of(roles_of(name, Kind::euler),
+                             [](const Role& role) { return !role.is_weak && !role.is_open; });
+}
+
 }  // namespace
 
 std::vector<std::string> unread_columns(const table::Header& header, const Convention& convention) {
   const bool lacks_attitude = attitude_form(convention) == AttitudeForm::none;
   const bool lacks_rates = !has_rates(convention);
+  std::vector<std::string> columns;
   std::map<Words, std::vector<std::string>> by_stem;
   for (std::size_t i = 0; i < header.names.size(); ++i) {
     const std::string name = name_for(header, i);
     const bool is_used = std::ranges::any_of(
         convention.columns, [&](const auto& column) { return column.second == name; });
+    if (!is_used && lacks_attitude && is_angle(header.names[i])) columns.push_back(name);
     const auto stem = is_used ? std::nullopt : stem_of(header.names[i]);
     if (!stem || are_of_other_quantity(*stem)) continue;
     const bool may_be_lacking =
         (lacks_attitude && may_be_attitude(*stem)) || (lacks_rates && may_be_rates(*stem));
     if (may_be_lacking) by_stem[*stem].push_back(name);
   }
-  std::vector<std::string> columns;
   constexpr std::size_t least = 3;
   for (const auto& [stem, names] : by_stem) {
     if (names.size() >= least) columns.insert(columns.end(), names.begin(), names.end());

@@ -67,18 +67,19 @@ bool are_of_other_quantity(const Words& words) {
   if (words.size() > 1 && words[0] == "b" && is_in({"w", "omega", "g", "gyro"}, words[1])) {
     return true;
   }
-  return has_any(
-      words, {"acc",        "accel",    "acceleration", "accelerometer", "alpha",       "baro",
-              "bias",       "cmd",      "command",      "commanded",     "count",       "cov",
-              "covariance", "delta",    "derivative",   "des",           "desired",     "dot",
-              "drift",      "energy",   "err",          "error",         "force",       "gain",
-              "gps",        "gravity",  "jerk",         "lin",           "linear",      "limit",
-              "mag",        "magfield", "magnetic",     "magnetometer",  "marker",      "max",
-              "min",        "momentum", "motor",        "noise",         "offset",      "pos",
-              "position",   "pressure", "ref",          "reference",     "reset",       "rotor",
-              "scale",      "setpoint", "sp",           "std",           "stddev",      "target",
-              "tau",        "temp",     "temperature",  "torque",        "translation", "var",
-              "variance",   "voltage",  "wheel"});
+  return has_any(words, {"acc",        "accel",     "acceleration", "accelerometer", "alpha",
+                         "baro",       "bias",      "clip",         "cmd",           "command",
+                         "commanded",  "count",     "cov",          "covariance",    "delta",
+                         "derivative", "des",       "desired",      "dot",           "drift",
+                         "energy",     "err",       "error",        "force",         "gain",
+                         "gps",        "gravity",   "jerk",         "lin",           "linear",
+                         "limit",      "mag",       "magfield",     "magnetic",      "magnetometer",
+                         "marker",     "max",       "min",          "momentum",      "motor",
+                         "noise",      "offset",    "pos",          "position",      "pressure",
+                         "ref",        "reference", "reset",        "rotor",         "scale",
+                         "setpoint",   "sp",        "std",          "stddev",        "target",
+                         "tau",        "temp",      "temperature",  "torque",        "translation",
+                         "var",        "variance",  "voltage",      "wheel"});
 }
 
 bool is_rate_in_radians_or_degrees(const StatedUnit& unit) {
