@@ -30,7 +30,7 @@ std::size_t stride_of(const RowSample& numbers, const Convention& convention) {
 
 RowSample read_row_sample(const Recording& recording, const Convention& convention) {
   const RowDecoder decoder(recording.header(), convention, [] { return std::string(); });
-  const RowSample& numbers = recording.first_rows(decoder.columns());
+  const RowSample& numbers = recording.first_rows_of_extract(decoder.columns(), decoder.second());
   const std::size_t stride = stride_of(numbers, convention);
   RowSample kept{numbers.header, numbers.columns, {}, {}};
   for (std::size_t i = 0; i < numbers.rows.size() && kept.rows.size() < enough; i += stride) {

@@ -56,15 +56,20 @@ class Recording {
   /// Begins a pass over the rows, which ends the one before. Throws as RowReader does.
   RowReader rows(const Convention& convention) const { return {table_, convention, extract_}; }
 
-  /// The first rows, up to 4096, with at least these columns. They are read again only for other
-  /// columns, which ends a pass over the rows. Throws as table::Reader does.
+  /// The first rows of the table, up to 4096, with at least these columns. They are read again only
+  /// for other columns, which ends a pass over the rows. Throws as table::Reader does.
   const RowSample& first_rows(const std::vector<std::size_t>& columns) const;
+
+  /// The same of the extract. The first of the columns has the times, in units of `second` s.
+  const RowSample& first_rows_of_extract(const std::vector<std::size_t>& columns,
+                                         double second) const;
 
  private:
   std::shared_ptr<FilledRows> table_;
   std::filesystem::path path_;
   Extract extract_;
-  mutable RowSample first_rows_;
+  mutable RowSample first_rows_, first_rows_of_extract_;
+  mutable double second_ = 0;  ///< of first_rows_of_extract_
 };
 
 }  // namespace twrench::recording

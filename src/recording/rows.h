@@ -28,6 +28,8 @@ struct Row {
 struct Extract {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
+
+  bool operator==(const Extract&) const = default;
 };
 
 /// The weights with which values at these times, one of which is 0, add up to their derivative at

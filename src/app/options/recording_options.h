@@ -5,9 +5,25 @@
 
 #include "app/options/command_line.h"
 #include "app/options/convention_options.h"
+#include "recording/rows.h"
 #include "scene/scene.h"
 
 namespace twrench::app {
+
+/// The options that leave out rows of a recording. Must live as long as the command.
+class ExtractOptions {
+ public:
+  void add_to(CLI::App& command);
+
+  /// Returns the rows that remain. Throws InvalidArgument.
+  recording::Extract extract() const;
+
+  /// Returns the options that were given, as words of a command line.
+  std::vector<std::string> given() const;
+
+ private:
+  std::string from_, to_;
+};
 
 /// The options for a recorded motion that a scene shows instead of a computed one. Must live as
 /// long as the command.
@@ -25,7 +41,8 @@ class RecordingOptions {
 
  private:
   CLI::App* command_ = nullptr;  ///< Null if the command has no such options.
-  std::string file_, from_, to_;
+  std::string file_;
+  ExtractOptions extract_;
   ConventionOptions convention_;
 };
 
