@@ -350,6 +350,34 @@ TEST_F(CheckCommand, FitsAnInitialState) {
   EXPECT_EQ(found["fit"]["omega_covariance"].size(), 3U);
 }
 
+TEST_F(CheckCommand, JudgesAPartOfTheRows) {
+  simulate("exact.csv", "--method exact --duration 40");
+  const json found = judged("exact.csv --from 10 --to 20 " + body);
+  EXPECT_EQ(found["rows"], 101);
+  EXPECT_NEAR(found["first_time"].get<double>(), 10, 1e-12);
+  EXPECT_EQ(found["finding"], "exact");
+  const Outcome none = check("exact.csv --from 50 --to 60 " + body);
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("no row is from 50 to 60 s after the first"));
+}
+
+TEST_F(CheckCommand, FitsTheRatiosOfTheMoments) {
+  simulate("exact.csv", "--method exact --duration 40");
+  for (const char* order : {"exact.csv --fit inertia", "--fit inertia exact.csv"}) {
+    const json found = judged(order);
+    EXPECT_NEAR(found["inertia"]["moments"][1].get<double>(), 1.5, 1e-9);
+    EXPECT_NEAR(found["inertia"]["moments"][2].get<double>(), 2, 1e-9);
+    EXPECT_LT(found["inertia"]["deviations"][2].get<double>(), 1e-9);
+    EXPECT_EQ(found["finding"], "exact");
+  }
+  EXPECT_THAT(
+      check("exact.csv --fit inertia").out,
+      AllOf(HasSubstr("1 : 1.5 +- "), HasSubstr("do not determine their size; --inertia ")));
+  EXPECT_THAT(check("exact.csv --fit inertia " + body).err,
+              HasSubstr("--fit inertia: it finds the body, and --inertia gives one"));
+  EXPECT_EQ(check("exact.csv --fit=moments").code, 2);
+}
+
 TEST_F(CheckCommand, TakesTheBodyOfAScene) {
   ASSERT_EQ(run_twrench(folder_, "simulate dzhanibekov --duration 30 --method exact -o s.csv").code,
             0);

@@ -34,7 +34,7 @@ TEST(Yaml, MayBeAList) {
 }
 
 TEST(Yaml, IsNotEveryTextWithColons) {
-  EXPECT_EQ(read_table("Rate: 50\nt,x\n0,1\n1,2\n").names, (Names{"t", "x"}));
+  EXPECT_EQ(read_table("Rate: 50\nt,x,y\n0,1,2\n1,2,3\n").names, (Names{"t", "x", "y"}));
 }
 
 TEST(Yaml, NamesTheRowOrTheLineOfAMistake) {

@@ -83,10 +83,13 @@ ExitCode run_check(const CheckOptions& options) {
   options.setup.add_inputs(files);
   const system::OutputFile file = options.output.add_to(files);
   const std::optional<system::OutputFile> plot_file = plot::add_plot(files, options.plot);
-  const check::CheckResult result = check::check_files(
-      options.files.size(), [&](std::size_t i) { return recording::Recording(options.files[i]); },
-      given_steps(options), options.setup.convention(), options.setup.problem(),
-      bounds_of(options));
+  const recording::Extract extract = options.setup.extract();
+  const auto open = [&](std::size_t i) {
+    return recording::Recording(options.files[i]).between(extract);
+  };
+  const check::CheckResult result =
+      check::check_files(options.files.size(), open, given_steps(options),
+                         options.setup.convention(), options.setup.problem(), bounds_of(options));
   system::Output output(file);  // write both it and the plot, or neither
   output.write(report(file.format().name, result));
   if (plot_file) draw(*plot_file, result);

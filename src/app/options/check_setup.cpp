@@ -52,7 +52,11 @@ void CheckSetup::add_options(CLI::App& command) {
       ->type_name("T")
       ->capture_default_str()
       ->group(heading(OptionGroup::motion));
-  command.add_flag("--fit", fit_, "fit the initial state to all rows by least squares")
+  command
+      .add_flag("--fit", fit_,
+                "fit the initial state to all rows by least squares; --fit inertia also finds the "
+                "ratios of the moments")
+      ->check(one_of("--fit", {"true", "false", "inertia"}))
       ->group(heading(OptionGroup::motion));
   command
       .add_option(
@@ -63,6 +67,7 @@ void CheckSetup::add_options(CLI::App& command) {
       ->type_name("FROM")
       ->capture_default_str()
       ->group(heading(OptionGroup::data));
+  extract_.add_to(command);
   convention_.add_to(command);
 }
 
@@ -86,11 +91,24 @@ Eigen::Matrix3d CheckSetup::inertia() const {
     throw InvalidArgument(
         "check", "the body is not given",
         "give its principal moments with --inertia A,B,C, in any unit, its inertia matrix with "
-        "--inertia Ixx,Iyy,Izz,Ixy,Ixz,Iyz, or --scene or --case");
+        "--inertia Ixx,Iyy,Izz,Ixy,Ixz,Iyz, or --scene or --case; or find them: --fit inertia");
   }
   Eigen::Matrix3d inertia = parse_inertia(inertia_, "--inertia");
   warn_of_unreal_moments("--inertia", inertia);
   return inertia;
+}
+
+bool CheckSetup::fits_inertia() const {
+  if (fit_ != "inertia") return false;
+  for (const auto& [value, option] :
+       {std::pair(&inertia_, "--inertia"), std::pair(&scene_name_, "--scene"),
+        std::pair(&case_name_, "--case")}) {
+    if (value->empty()) continue;
+    throw InvalidArgument("--fit inertia",
+                          fmt::format("it finds the body, and {} gives one", option),
+                          "leave out one of them");
+  }
+  return true;
 }
 
 std::optional<cases::Case> CheckSetup::published_case() const {
@@ -108,8 +126,10 @@ std::optional<cases::Case> CheckSetup::published_case() const {
 
 check::Problem CheckSetup::problem() const {
   const std::optional<cases::Case> published = published_case();
-  check::Problem problem{.inertia = published ? published->moments.asDiagonal().toDenseMatrix()
-                                              : inertia()};
+  check::Problem problem{.fit = fit_ == "true", .fits_inertia = fits_inertia()};
+  if (!problem.fits_inertia) {
+    problem.inertia = published ? published->moments.asDiagonal().toDenseMatrix() : inertia();
+  }
   if (published) {
     problem.omega = published->omega;
   } else if (!omega_.empty()) {
@@ -119,7 +139,6 @@ check::Problem CheckSetup::problem() const {
   if (omega_at_ != "first") {
     problem.omega_time = parse_number(omega_at_, "--omega-at", scene::limits::coordinate);
   }
-  problem.fit = fit_;
   problem.frame = find_enumerator<check::FrameSource>(frame_, "--frame");
   return problem;
 }

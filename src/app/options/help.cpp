@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "app/options/command_model.h"
 #include "base/enumeration.h"
@@ -262,6 +263,9 @@ std::vector<std::string> words_for_parser(int argc, const char* const* argv) {
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     std::string word = argv[i];
+    const bool is_value = word == "inertia" && !words.empty() && words.back() == "--fit";
+    if (is_value) word = std::exchange(words.back(), {}) + "=" + word;
+    if (is_value) words.pop_back();
     const bool is_option = std::ranges::find(words, "--") == words.end() && word.starts_with("--");
     const bool is_empty = is_option && word.find('=') + 1 == word.size();
     if (is_empty) word.pop_back();
@@ -276,7 +280,7 @@ void refuse_meaningless_values(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     for (CLI::Option* option : command->get_options([](const CLI::Option*) { return true; })) {
       const std::string name = option->get_name();
-      if (name == "--title") continue;
+      if (name == "--title" || name == "--fit") continue;
       const bool takes_value = option->get_expected_max() > 0 || !option->get_fnames().empty();
       const char* remedy = !option->get_positional() ? "give a value, or omit the option"
                            : option->get_required()  ? "give a value"

@@ -22,7 +22,8 @@ void add_help_all(CLI::App& app);
 void add_help(CLI::App& app);
 
 /// Returns the arguments in the order that CLI11 expects, the last first. "--name=" becomes
-/// "--name" and an empty word, because some CLI11 releases would take the next word as its value.
+/// "--name" and an empty word, because some CLI11 releases would take the next word as its value;
+/// "--fit inertia" becomes "--fit=inertia", because --fit needs no value and may precede a file.
 std::vector<std::string> words_for_parser(int argc, const char* const* argv);
 
 /// Makes an empty value a usage error, because scripts pass one from an unset variable; a title may

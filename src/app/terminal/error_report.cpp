@@ -76,6 +76,9 @@ std::string remedy_for_check(check::CheckError::Reason reason) {
       return "give --omega 0,0,0 without --fit to judge whether it stays at rest";
     case check::CheckError::Reason::no_fit:
       return "start the fit elsewhere: --fit --omega X,Y,Z";
+    case check::CheckError::Reason::no_inertia:
+      return "record a motion that wobbles or turns over, such as a toss about the middle axis, or "
+             "cut off what is no free motion: --from S --to S";
     case check::CheckError::Reason::stopped:
       break;
   }

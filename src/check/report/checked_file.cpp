@@ -4,12 +4,17 @@
 #include <twrench/base/error.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numbers>
 
 #include "base/words.h"
 #include "check/report/choice.h"
 #include "check/verdict/error.h"
+#include "check/verdict/fit.h"
+#include "check/verdict/stop.h"
 #include "recording/columns/unread_columns.h"
+#include "recording/row_reader.h"
+#include "recording/rows.h"
 #include "study/ladder.h"
 
 namespace twrench::check {
@@ -91,10 +96,29 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
   return {};
 }
 
-CheckedFile check_file(recording::Recording recording, const Convention& given,
-                       const Problem& problem, const Bounds& bounds) {
+/// The inertia matrix that fits the rates. Throws CheckError if they do not determine it.
+FittedInertia inertia_of(const recording::Recording& recording, const Convention& given,
+                         const std::atomic<bool>* stop) {
+  recording::ThinnedRows thinned(most_fitted_rows);
+  recording::RowReader reader = recording.rows(choose_rates(recording, given));
+  for (recording::Row row; reader.next(row);) {
+    throw_if_stopped(stop);
+    thinned.add(row);
+  }
+  return fit_inertia(recording.name(), thinned.rows(), stop);
+}
+
+CheckedFile check_file(recording::Recording recording, const Convention& given, Problem problem,
+                       const Bounds& bounds) {
+  std::optional<FittedInertia> inertia;
+  if (problem.fits_inertia) {
+    inertia = inertia_of(recording, given, problem.stop);
+    problem.inertia = inertia->inertia;
+    problem.fit = true;
+  }
   const Convention convention = choose_convention(recording, given, problem);
   CheckedFile file{recording.name(), judge(recording, convention, problem), {}, {}, {}, 0};
+  file.inertia = inertia;
   file.left_out = recording.left_out();
   file.alternatives = better_readings(recording, problem, file.judgement);
   file.other_start = other_start_of(recording, file, problem);
@@ -128,7 +152,8 @@ CheckResult check_files(std::size_t count,
                         const Problem& problem, const Bounds& bounds) {
   if (!steps.empty() && steps.size() != count) {
     throw InvalidArgument(argument("steps"),
-                          fmt::format("has {} step sizes for {} files", steps.size(), count));
+                          fmt::format("has {} step size{} for {} file{}", steps.size(),
+                                      steps.size() == 1 ? "" : "s", count, count == 1 ? "" : "s"));
   }
   CheckResult result;
   for (std::size_t i = 0; i < count; ++i) {

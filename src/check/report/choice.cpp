@@ -203,13 +203,43 @@ std::optional<Reading> lawful_one(const recording::Recording& recording, const P
   return miss < as_well * found->miss + round_off ? other : found->reading;
 }
 
+/// The conventions that the columns and the numbers leave open.
+std::vector<Convention> open_conventions(const recording::Recording& recording,
+                                         const Convention& given) {
+  return with_angle_units(recording,
+                          with_times(recording, recording::conventions(recording.header(), given)));
+}
+
 }  // namespace
+
+Convention choose_rates(const recording::Recording& recording, const Convention& given) {
+  std::vector<Convention> open;
+  for (const Convention& one : open_conventions(recording, given)) {
+    Convention rates = given;
+    rates.columns.clear();
+    for (const char* ours : {"t", "wx", "wy", "wz"}) {
+      const auto column = one.columns.find(ours);
+      if (column != one.columns.end()) rates.columns.insert(*column);
+    }
+    rates.time_unit = one.time_unit;
+    rates.rate_unit = one.rate_unit;
+    const auto is_same = [&](const Convention& other) { return count_changes(other, rates) == 0; };
+    if (std::ranges::none_of(open, is_same)) open.push_back(rates);
+    if (!has_rates(rates) || one.rates_in_space) {
+      throw InvalidArgument(
+          recording.name(),
+          "the moments are fitted to rates about the body's axes, and it has none",
+          "name their columns");
+    }
+  }
+  if (open.size() > 1) throw ambiguous(recording.header(), open, {});
+  return open.front();
+}
 
 Convention choose_convention(const recording::Recording& recording, const Convention& given,
                              const std::optional<Problem>& problem) {
   const table::Header& header = recording.header();
-  std::vector<Convention> open =
-      with_angle_units(recording, with_times(recording, recording::conventions(header, given)));
+  std::vector<Convention> open = open_conventions(recording, given);
   if (problem) {
     for (Convention& convention : open) convention.inertia = problem->inertia;
   }

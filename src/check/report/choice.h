@@ -15,4 +15,9 @@ recording::Convention choose_convention(const recording::Recording& recording,
                                         const recording::Convention& given,
                                         const std::optional<Problem>& problem);
 
+/// Returns how the rates about the body's axes are read, whatever the attitude is. Throws
+/// InvalidArgument if there are none, or if the names leave that open.
+recording::Convention choose_rates(const recording::Recording& recording,
+                                   const recording::Convention& given);
+
 }  // namespace twrench::check

@@ -195,6 +195,19 @@ Json bounds_json(const CheckedFile& file) {
   return list;
 }
 
+Json matrix_json(const Eigen::Matrix3d& matrix) {
+  return {vector_json(matrix.row(0)), vector_json(matrix.row(1)), vector_json(matrix.row(2))};
+}
+
+/// The inertia that was fitted: in units of its least moment, about the file's axes.
+Json fitted_inertia_json(const CheckedFile& file) {
+  if (!file.inertia) return nullptr;
+  return {{"moments", vector_json(file.inertia->moments)},
+          {"deviations", vector_json(file.inertia->deviation)},
+          {"axes", matrix_json(file.inertia->axes.transpose())},
+          {"matrix", matrix_json(file.inertia->inertia)}};
+}
+
 Json file_json(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   const RateScale unit = rate_scale(judgement);
@@ -226,6 +239,7 @@ Json file_json(const CheckedFile& file) {
           {"amplitude", amplitude_json(judgement, unit.per_radian)},
           {"consistency", consistency_json(judgement)},
           {"fit", fit_json(judgement, unit.per_radian)},
+          {"inertia", fitted_inertia_json(file)},
           {"precision", precision_json(judgement)},
           {"noise", noise_json(judgement, unit.per_radian)},
           {"follows_the_motion", !is_foreign(judgement)},

@@ -66,6 +66,30 @@ std::string start_text(const Judgement& judgement) {
   return text;
 }
 
+/// A direction in the file's axes, to three decimals: "(1, 0, -0.012)".
+std::string axis_text(const Eigen::Vector3d& axis) {
+  std::vector<std::string> components;
+  for (const double component : axis) {
+    const double rounded = std::round(1000 * component) / 1000;
+    components.push_back(fmt::format("{:g}", rounded == 0 ? 0 : rounded));
+  }
+  return fmt::format("({})", joined(components, ", "));
+}
+
+/// The moments that were fitted, and the argument that gives them to another check.
+std::string moments_text(const CheckedFile& file) {
+  if (!file.inertia) return {};
+  const FittedInertia& found = *file.inertia;
+  const Eigen::Matrix3d& I = found.inertia;
+  return fmt::format(
+      "1 : {:.6g} +- {:.2g} : {:.6g} +- {:.2g} about the axes {}, {} and {}, fitted to the rates, "
+      "which do not determine their size; {} gives them",
+      found.moments[1], found.deviation[1], found.moments[2], found.deviation[2],
+      axis_text(found.axes.col(0)), axis_text(found.axes.col(1)), axis_text(found.axes.col(2)),
+      argument("inertia", fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}", I(0, 0), I(1, 1),
+                                      I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
+}
+
 /// The rows without numbers.
 std::string left_out_text(const CheckedFile& file) {
   return file.left_out.empty() ? std::string() : file.left_out + ", where numbers are missing";
@@ -226,7 +250,9 @@ std::string file_text(const CheckedFile& file, const ArgumentWording& wording) {
          line("read as", text::escape(reading_text(judgement))) +
          line("not read", text::escape(with_arguments(unread_text(file), wording))) +
          line("left out", text::escape(left_out_text(file))) +
-         line("precision", precision_line(judgement)) + line("from", start_text(judgement)) +
+         line("precision", precision_line(judgement)) +
+         line("moments", with_arguments(moments_text(file), wording)) +
+         line("from", start_text(judgement)) +
          line("rate error", size_text(judgement, judgement.rates, unit.per_radian, unit.symbol)) +
          line("attitude error", size_text(judgement, judgement.attitude, degrees(1), "deg")) +
          line("drift", drift_text(judgement)) + line("phase", phase_text(judgement)) +

@@ -32,6 +32,7 @@ struct CheckedFile {
   double step;  ///< s: as the user gave it, or the mean time between rows
   /// Columns that are not read, but could be what the file lacks: rates or an attitude.
   std::vector<std::string> unread = {};
+  std::optional<FittedInertia> inertia = {};  ///< that was fitted to the rates
   std::string left_out = {};  ///< the rows at the start and the end that lack a number
 };
 

@@ -9,10 +9,11 @@ class CheckError : public Error {
  public:
   /// Why it cannot be judged.
   enum class Reason {
-    one_row,  ///< there are too few rows to judge or to fit
-    at_rest,  ///< the body does not turn, so nothing can be fitted
-    no_fit,   ///< no state near the given one fits
-    stopped,  ///< interrupted through Problem::stop
+    one_row,     ///< there are too few rows to judge or to fit
+    at_rest,     ///< the body does not turn, so nothing can be fitted
+    no_fit,      ///< no state near the given one fits
+    no_inertia,  ///< the rows do not determine the ratios of the moments
+    stopped,     ///< interrupted through Problem::stop
   };
 
   CheckError(const std::string& what, const std::string& why, Reason reason)

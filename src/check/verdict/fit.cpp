@@ -2,9 +2,11 @@
 
 #include <twrench/math/so3.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "check/verdict/error.h"
 #include "check/verdict/exact_rows.h"
@@ -22,10 +24,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The factors of the residuals; 0 if the rows have none of that kind.
+/// The factors of the residuals, 0 if the rows have none of that kind, and what is fitted to them.
 struct Weights {
-  double rates;     ///< s/rad
-  double attitude;  ///< 1/rad
+  double rates;                      ///< s/rad
+  double attitude;                   ///< 1/rad
+  Eigen::Index inertia_numbers = 0;  ///< of its change that are fitted: the first 2 or all 5
 
   std::size_t numbers_per_row() const {
     return static_cast<std::size_t>(3 * ((rates > 0) + (attitude > 0)));
@@ -33,12 +36,13 @@ struct Weights {
 };
 
 /// The residuals of rows as a function of the fitted parameters. Parameters: the change of omega in
-/// units of |omega|; if there is an attitude, the rotation vector by which the frame turns.
+/// units of |omega|; if there is an attitude, the rotation vector by which the frame turns; if the
+/// inertia is open, its change.
 class Residuals {
  public:
   Residuals(const Reference& from, std::span<const Row> rows, const Weights& weights,
             const std::atomic<bool>* stop = nullptr)
-      : inputs_(3 + (weights.attitude > 0 ? 3 : 0)),
+      : inputs_(3 + (weights.attitude > 0 ? 3 : 0) + weights.inertia_numbers),
         from_(from),
         rows_(rows),
         weights_(weights),
@@ -52,7 +56,12 @@ class Residuals {
 
   Reference reference(const VectorXd& p) const {
     const Vector3d omega = from_.body.omega() + speed_ * p.head<3>();
-    Reference reference{{from_.body.inertia(), omega}, from_.start, from_.frame};
+    InertiaChange change = InertiaChange::Zero();
+    change.head(weights_.inertia_numbers) = p.tail(weights_.inertia_numbers);
+    const Matrix3d inertia = weights_.inertia_numbers > 0
+                                 ? changed_inertia(from_.body.inertia(), change)
+                                 : from_.body.inertia();
+    Reference reference{{inertia, omega}, from_.start, from_.frame};
     if (weights_.attitude > 0) reference.frame = so3::exp(p.segment<3>(3)) * from_.frame;
     return reference;
   }
@@ -136,7 +145,7 @@ Weights reweighted(const Weights& weights, const RootMeanSquares& left, double s
   constexpr double round_off = 1e-15;
   const auto inverse = [](double weight, double size) { return weight > 0 ? 1 / size : 0; };
   return {inverse(weights.rates, std::max(left.rates, round_off * speed)),
-          inverse(weights.attitude, std::max(left.attitude, round_off))};
+          inverse(weights.attitude, std::max(left.attitude, round_off)), weights.inertia_numbers};
 }
 
 /// The covariance of the fitted parameters: omega in units of |omega|, the frame in rad.
@@ -148,24 +157,65 @@ MatrixXd covariance_of(const Residuals& residuals) {
   return left.squaredNorm() / static_cast<double>(freedom) * inverse_of_squares(jacobian);
 }
 
+CheckError undetermined_inertia(const std::string& name) {
+  return {name,
+          "its motion does not determine the ratios of the moments: it hardly differs from a "
+          "steady spin, or from its noise",
+          CheckError::Reason::no_inertia};
+}
+
+/// Throws CheckError if the rows do not determine the ratios of the moments.
+FittedInertia inertia_of(const std::string& name, const Reference& reference,
+                         const MatrixXd& covariance, Eigen::Index numbers) {
+  Eigen::Matrix<double, 5, 5> of_change = Eigen::Matrix<double, 5, 5>::Zero();
+  of_change.topLeftCorner(numbers, numbers) = covariance.bottomRightCorner(numbers, numbers);
+  const FittedInertia found = fitted_inertia(reference.body.inertia(), of_change);
+  // Beyond this condition, rows that are exact to round-off look determined.
+  const VectorXd variances = Eigen::SelfAdjointEigenSolver<MatrixXd>(covariance).eigenvalues();
+  constexpr double worst = 1e10;
+  if (!(variances.maxCoeff() < worst * variances.minCoeff())) throw undetermined_inertia(name);
+  constexpr double most = 0.2;  // relative
+  const bool is_determined =
+      found.deviation.allFinite() && (found.deviation.array() < most * found.moments.array()).all();
+  if (!is_determined) throw undetermined_inertia(name);
+  return found;
+}
+
 Fit result(const std::string& name, const Reference& reference, std::span<const Row> rows,
            const Weights& weights) {
   const Residuals residuals(reference, rows, weights);
   const MatrixXd covariance = covariance_of(residuals);
   const RootMeanSquares left = root_mean_squares(residuals_of(residuals), weights);
   const double speed = reference.body.omega().norm();
+  if (weights.inertia_numbers > 0 && !covariance.allFinite()) throw undetermined_inertia(name);
   if (!covariance.allFinite() || !std::isfinite(left.rates + left.attitude) ||
       !std::isfinite(speed)) {
     throw CheckError(name, "its rows do not determine a state", CheckError::Reason::no_fit);
   }
   Fit fit{reference, {}, speed * speed * covariance.topLeftCorner<3, 3>(), {}, {}, {}, rows.size()};
   fit.omega_deviation = fit.omega_covariance.diagonal().cwiseSqrt();
+  if (weights.inertia_numbers > 0)
+    fit.inertia = inertia_of(name, reference, covariance, weights.inertia_numbers);
   if (weights.rates > 0) fit.rate_residual = left.rates;
   if (weights.attitude > 0) {
     fit.attitude_residual = left.attitude;
-    fit.frame_deviation = covariance.diagonal().tail<3>().cwiseSqrt();
+    fit.frame_deviation = covariance.diagonal().segment<3>(3).cwiseSqrt();
   }
   return fit;
+}
+
+/// Fits the first `count` rows, then twice as many, until it has all.
+Fit fitted_from(const std::string& name, Reference reference, std::span<const Row> rows,
+                std::size_t count, const Weights& weights, const std::atomic<bool>* stop) {
+  const double speed = reference.body.omega().norm();
+  for (; count < rows.size(); count *= 2)
+    reference = improved(reference, rows.first(count), weights, stop);
+  reference = improved(reference, rows, weights, stop);
+  // Once more, with the weights that the residuals themselves suggest.
+  const RootMeanSquares left =
+      root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
+  const Weights by_residuals = reweighted(weights, left, speed);
+  return result(name, improved(reference, rows, by_residuals, stop), rows, by_residuals);
 }
 
 }  // namespace
@@ -177,20 +227,61 @@ Fit fit(const std::string& name, const Matrix3d& inertia, std::span<const Row> r
                      CheckError::Reason::one_row);
   }
   const double speed = omega.norm();
-  Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
+  const Reference reference{{inertia, omega}, rows.front().t, nearest_rotation(rows.front().X)};
   if (speed == 0)
     throw CheckError(name, "the body is at rest in it, so no motion can be fitted",
                      CheckError::Reason::at_rest);
-  Weights weights{has_rates ? 1 / speed : 0, has_attitude ? 1.0 : 0};
-  for (std::size_t count = 16; count < rows.size(); count *= 2) {
-    reference = improved(reference, rows.first(count), weights, stop);
-  }
-  reference = improved(reference, rows, weights, stop);
-  // Once more, with the weights that the residuals themselves suggest.
-  const RootMeanSquares left =
-      root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
-  weights = reweighted(weights, left, speed);
-  return result(name, improved(reference, rows, weights, stop), rows, weights);
+  const Weights weights{has_rates ? 1 / speed : 0, has_attitude ? 1.0 : 0};
+  return fitted_from(name, reference, rows, 16, weights, stop);
+}
+
+namespace {
+
+/// Fits the first numbers of the change of an inertia; nothing if the rates do not determine them.
+std::optional<Fit> fit_with_inertia(const std::string& name, const Matrix3d& inertia,
+                                    std::span<const Row> rows, std::size_t count,
+                                    Eigen::Index numbers, const std::atomic<bool>* stop) try {
+  const Vector3d omega = rows.front().omega;
+  const Reference reference{{inertia, omega}, rows.front().t};
+  return fitted_from(name, reference, rows, count, {1 / omega.norm(), 0, numbers}, stop);
+} catch (const CheckError& error) {
+  if (error.reason() != CheckError::Reason::no_inertia) throw;
+  return std::nullopt;
+}
+
+/// The root mean square of the changes of the rates, component by component.
+double change_of_rates_in(std::span<const Row> rows) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Row& row : rows) sum += row.omega;
+  const Vector3d mean = sum / static_cast<double>(rows.size());
+  double squares = 0;
+  for (const Row& row : rows) squares += (row.omega - mean).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(3 * rows.size()));
+}
+
+}  // namespace
+
+FittedInertia fit_inertia(const std::string& name, std::span<const Row> rows,
+                          const std::atomic<bool>* stop) {
+  constexpr std::size_t least_rows = 16;
+  double turned = 0;  // rad
+  std::size_t count = 1;
+  constexpr double enough = 8;
+  for (; count < rows.size() && (turned < enough || count < least_rows); ++count)
+    turned += rows[count].omega.norm() * (rows[count].t - rows[count - 1].t);
+  if (count < least_rows || turned == 0) throw undetermined_inertia(name);
+  const auto of_moments = fit_with_inertia(name, estimated_moments(rows), rows, count, 2, stop);
+  const auto of_matrix = fit_with_inertia(name, estimated_inertia(rows), rows, count, 5, stop);
+  if (!of_moments && !of_matrix) throw undetermined_inertia(name);
+  // Of two explanations, the one with more numbers must leave clearly less.
+  constexpr double clearly = 20;
+  const double less = std::exp(-clearly / static_cast<double>(6 * rows.size()));
+  const bool are_axes_others =
+      !of_moments || (of_matrix && *of_matrix->rate_residual < less * *of_moments->rate_residual);
+  const Fit& best = are_axes_others ? *of_matrix : *of_moments;
+  const bool is_steady = !(*best.rate_residual < less * change_of_rates_in(rows));
+  if (is_steady) throw undetermined_inertia(name);
+  return *best.inertia;
 }
 
 Vector3d omega_between(const Matrix3d& inertia, const Row& first, const Row& second) {

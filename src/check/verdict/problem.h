@@ -17,8 +17,9 @@ enum class FrameSource {
 
 /// The motion that a recorded trajectory is compared with.
 struct Problem {
-  /// Body axes, positive definite, in any unit, because the motion depends only on the ratios.
-  Eigen::Matrix3d inertia;
+  /// Body axes, positive definite, in any unit, because the motion depends only on the ratios. Set
+  /// by check_files() if it is fitted.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
   /// At `omega_time`, body axes, rad/s. If absent, that of the first row at its time. With `fit`,
   /// the start of the fit.
   std::optional<Eigen::Vector3d> omega = {};
@@ -27,6 +28,8 @@ struct Problem {
   /// Whether the initial state is fitted to all rows by least squares. It always is if there are
   /// neither rates nor `omega`.
   bool fit = false;
+  /// Whether check_files() fits the inertia to the rates of each file; then `fit` applies, too.
+  bool fits_inertia = false;
   FrameSource frame = FrameSource::first;
   /// If it becomes true, the check ends with a CheckError. May be null.
   const std::atomic<bool>* stop = nullptr;

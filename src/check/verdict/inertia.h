@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "recording/rows.h"
+
+namespace twrench::check {
+
+/// Changes of an inertia matrix that keep its determinant, because a free motion does not depend on
+/// its size: 0 for none.
+using InertiaChange = Eigen::Matrix<double, 5, 1>;
+
+/// Returns the inertia matrix after the change, which leaves it positive definite.
+Eigen::Matrix3d changed_inertia(const Eigen::Matrix3d& inertia, const InertiaChange& change);
+
+/// An inertia matrix that was fitted to a free motion, up to its size.
+struct FittedInertia {
+  Eigen::Matrix3d inertia;    ///< body axes; its least principal moment is 1
+  Eigen::Vector3d moments;    ///< the principal moments, ascending: 1 and two ratios
+  Eigen::Vector3d deviation;  ///< their standard deviations, 0 first
+  Eigen::Matrix3d axes;       ///< rotation body_from_principal; its columns are the axes
+};
+
+/// Returns the matrix in units of its least moment, with the standard deviations that follow from
+/// the covariance of its changes.
+FittedInertia fitted_inertia(const Eigen::Matrix3d& inertia,
+                             const Eigen::Matrix<double, 5, 5>& covariance);
+
+/// Returns an inertia matrix with which I (w_b - w_a) is about the integral of (I w) x w from a to
+/// b, for pairs of rows that are about half a radian apart: the start of a fit.
+Eigen::Matrix3d estimated_inertia(std::span<const recording::Row> rows);
+
+/// Does the same for a body whose principal axes are those of the rows.
+Eigen::Matrix3d estimated_moments(std::span<const recording::Row> rows);
+
+}  // namespace twrench::check
