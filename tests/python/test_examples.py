@@ -55,6 +55,16 @@ def test_comparison_with_scipy(tmp_path):
     assert files(tmp_path) == []
 
 
+def test_toss(tmp_path):
+    rows, ratios = run("toss.py", tmp_path, "toss.csv").splitlines()
+    assert rows == "toss.csv: 520 rows; the phone flies from 0.8 to 2.0 s"
+    found = twrench.check(tmp_path / "toss.csv", fit="inertia", from_time=0.8, to_time=2)
+    assert found.finding == "noise"
+    errors = np.abs(found.inertia.moments - numbers(ratios))
+    assert np.all(errors <= 3 * found.inertia.deviations + 1e-4)
+    assert np.all(found.inertia.deviations < 0.01)
+
+
 def test_energy_drift(tmp_path):
     rows = run("energy_drift.py", tmp_path).splitlines()[1:]
     table = {row.split()[0]: [float(value) for value in row.split()[1:]] for row in rows}
