@@ -157,28 +157,32 @@ std::tuple<double, Eigen::VectorXd, RowMatrix, RowMatrix> read_recording(
   });
 }
 
-/// Returns the reports on all recordings and those on each of them. `plot` may be null.
+/// Returns the reports on all recordings and those on each of them. Without an inertia it is
+/// fitted. `range` is recording::Extract. `plot` may be null.
 std::pair<CheckReports, std::vector<CheckReports>> check_recordings(
     const std::vector<Source>& sources, const std::vector<double>& steps,
-    const Eigen::Matrix3d& inertia, const std::optional<Eigen::Vector3d>& omega,
-    std::optional<double> omega_time, bool fit, const std::string& frame, const Given& given,
+    const std::optional<Eigen::Matrix3d>& inertia, const std::optional<Eigen::Vector3d>& omega,
+    std::optional<double> omega_time, bool fit, const std::string& frame,
+    const std::pair<double, double>& range, const Given& given,
     const std::map<std::string, double>& bounds, const Output* plot) {
   std::vector<std::function<recording::Recording()>> openers;
   for (const Source& source : sources) openers.push_back(opener_of(source));
   if (plot != nullptr) plot::require_gnuplot(plot->file.format());
   for (const double step : steps) scene::limits::check(scene::limits::step, "steps", step);
-  check::Problem problem{.inertia = inertia};
+  check::Problem problem{.fits_inertia = !inertia};
+  if (inertia) problem.inertia = *inertia;
   if (omega) problem.omega = scene::limits::check_omega("omega", *omega);
   problem.omega_time = omega_time;
   problem.fit = fit;
   problem.frame = find_enumerator<check::FrameSource>(frame, "frame");
   const recording::Convention convention = convention_of(given);
   const check::Bounds most = bounds_of(bounds);
+  const recording::Extract extract{range.first, range.second};
   return run_interruptibly([&](const std::atomic<bool>& stop) {
     problem.stop = &stop;
     check::CheckResult result = check::check_files(
-        openers.size(), [&](std::size_t i) { return openers[i](); }, steps, convention, problem,
-        most);
+        openers.size(), [&](std::size_t i) { return openers[i]().between(extract); }, steps,
+        convention, problem, most);
     if (plot != nullptr) draw_check(plot->file, result);
     const CheckReports of_all = reports_of(result);
     std::vector<CheckReports> of_each;

@@ -7,7 +7,7 @@ angular velocities ``omega`` are in body axes; X = Id at t = 0 unless an ``attit
 from . import plots
 from ._native import version as __version__
 from .body import Body, InSI, Stability
-from .check import Check, CheckOrder, Checks, ErrorSize, Recording, check
+from .check import Check, CheckOrder, Checks, ErrorSize, FittedInertia, Recording, check
 from .compare import Comparison, FrameComparison, compare
 from .errors import (
     EncoderError,
@@ -56,6 +56,7 @@ __all__ = [
     "ExactMotion",
     "FileError",
     "Film",
+    "FittedInertia",
     "FrameComparison",
     "GlError",
     "InSI",

@@ -330,11 +330,12 @@ def show_recording(
 def check(
     sources: list[str | tuple[str, list[tuple[str, _Array]]]],
     steps: list[float],
-    inertia: _Array,
+    inertia: _Array | None,
     omega: _Array | None,
     omega_time: float | None,
     fit: bool,
     frame: str,
+    range: tuple[float, float],
     convention: Mapping[str, str | bool | _Array],
     bounds: dict[str, float],
     plot: Output | None,

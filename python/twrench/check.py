@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, Mapping, Sequence, TypeVar, Union, overload
@@ -28,7 +29,7 @@ from .recording import (
     source_of,
 )
 
-__all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "Recording", "check"]
+__all__ = ["Check", "CheckOrder", "Checks", "ErrorSize", "FittedInertia", "Recording", "check"]
 
 FrameSource = Literal["first", "momentum"]
 Finding = Literal[
@@ -182,6 +183,20 @@ class ErrorSize:
     rms_error: float
 
 
+@dataclass(frozen=True, eq=False)
+class FittedInertia:
+    """An inertia that was fitted to rates, in units of its least principal moment."""
+
+    #: The principal moments, ascending: 1 and two ratios, (3,).
+    moments: Array
+    #: Their standard errors, 0 first, (3,).
+    deviations: Array
+    #: The rotation body_from_principal, whose columns are the principal axes, (3, 3).
+    axes: Array
+    #: The inertia matrix about the axes of the data, (3, 3).
+    matrix: Array
+
+
 @dataclass(frozen=True)
 class Check:
     """The result of :func:`check`."""
@@ -208,6 +223,8 @@ class Check:
     flips: list[tuple[float | None, float | None]]
     #: The factor by which the motion amplifies an error of its start.
     condition: float
+    #: The inertia that ``fit="inertia"`` found; None if it was not fitted.
+    inertia: FittedInertia | None
     #: All results, as ``twrench check --format json`` prints them, with the names of arguments for
     #: those of options.
     details: dict[str, Any] = field(repr=False)
@@ -257,8 +274,10 @@ def check(
     case: str | None = ...,
     omega: Numbers | None = ...,
     omega_at: float | Literal["first"] = ...,
-    fit: bool = ...,
+    fit: bool | Literal["inertia"] = ...,
     frame: FrameSource = ...,
+    from_time: float | None = ...,
+    to_time: float | None = ...,
     columns: Mapping[str, str] | Sequence[str] | None = ...,
     time_unit: TimeUnit | None = ...,
     units: RateUnit | None = ...,
@@ -285,8 +304,10 @@ def check(
     case: str | None = ...,
     omega: Numbers | None = ...,
     omega_at: float | Literal["first"] = ...,
-    fit: bool = ...,
+    fit: bool | Literal["inertia"] = ...,
     frame: FrameSource = ...,
+    from_time: float | None = ...,
+    to_time: float | None = ...,
     columns: Mapping[str, str] | Sequence[str] | None = ...,
     time_unit: TimeUnit | None = ...,
     units: RateUnit | None = ...,
@@ -312,8 +333,10 @@ def check(
     case: str | None = None,
     omega: Numbers | None = None,
     omega_at: float | Literal["first"] = 0.0,
-    fit: bool = False,
+    fit: bool | Literal["inertia"] = False,
     frame: FrameSource = "first",
+    from_time: float | None = None,
+    to_time: float | None = None,
     columns: Mapping[str, str] | Sequence[str] | None = None,
     time_unit: TimeUnit | None = None,
     units: RateUnit | None = None,
@@ -337,15 +360,18 @@ def check(
         frame of pandas, or an array (n, k) whose columns ``columns`` names. The columns are times, and
         rates, attitudes or both. A list or tuple of such recordings gives a :class:`Checks`, with the
         order of the method.
-    :param body: the body, unless ``case`` gives it.
+    :param body: the body, unless ``case`` gives it or it is fitted.
     :param steps: step sizes of the recordings in s, (m,); None for the mean times between rows.
     :param case: name of a published case, which gives the body and the initial rates.
     :param omega: angular velocity at ``omega_at`` in body axes in rad/s, (3,); None for that of the
         first row, or for a fit if the data have no rates.
     :param omega_at: the time in s at which ``omega`` holds, or "first" for that of the first row.
-    :param fit: fit the initial state to all rows by least squares.
+    :param fit: fit the initial state to all rows by least squares; "inertia" also finds the ratios of
+        the principal moments from the rates, as :attr:`Check.inertia`.
     :param frame: how to determine the space frame of the data: from the first row, or from the mean
         direction of the momentum.
+    :param from_time: leave out the rows before this time in s since the first row.
+    :param to_time: leave out the rows after this time in s since the first row.
     :param columns: the columns of the data for our names: t, wx to wz, lx to lz, x11 to x33, qw to qz,
         yaw, pitch and roll, rvx to rvz, axisx to axisz and angle, mrpx to mrpz, gibbsx to gibbsz; None
         to detect them by their names. For arrays, the names of all columns, (k,), such as
@@ -374,7 +400,14 @@ def check(
     :raises FileError: if a file cannot be read or is not a table, or the plot cannot be written.
     :raises Error: if gnuplot is needed, but is missing or fails.
     """
-    inertia, start = _problem(body, case, omega)
+    is_inertia = isinstance(fit, str)
+    if is_inertia and fit != "inertia":
+        raise UsageError(f"fit: must be True, False or 'inertia', not {_arguments.brief(fit)}")
+    if is_inertia and (body is not None or case is not None):
+        raise UsageError("fit: 'inertia' finds the body; leave out body and case")
+    inertia, start = (None, None) if is_inertia else _problem(body, case, omega)
+    if is_inertia and omega is not None:
+        start = _arguments.vector("omega", omega)
     convention, of_array = convention_of(
         columns, time_unit, units, angle_units, sequence, inverse, rates, axes, offset
     )
@@ -412,6 +445,10 @@ def check(
         at,
         bool(fit),
         _arguments.text("frame", frame),
+        (
+            -math.inf if from_time is None else _arguments.number("from_time", from_time),
+            math.inf if to_time is None else _arguments.number("to_time", to_time),
+        ),
         convention,
         given,
         figure,
@@ -469,6 +506,9 @@ def _result(reports: _native.CheckReports) -> Check:
     def size(key: str) -> ErrorSize | None:
         return None if found[key] is None else ErrorSize(**found[key])
 
+    fitted = found["inertia"]
+    if fitted is not None:
+        fitted = FittedInertia(**{key: np.array(value) for key, value in fitted.items()})
     return Check(
         passes=found["passes"],
         finding=found["finding"],
@@ -481,6 +521,7 @@ def _result(reports: _native.CheckReports) -> Check:
         orthogonality_error=found["orthogonality_error"],
         flips=[(flip["t"], flip["exact"]) for flip in found["flips"]],
         condition=found["condition"],
+        inertia=fitted,
         details=found,
         text=reports.text,
         junit=reports.junit,

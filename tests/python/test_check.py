@@ -264,3 +264,29 @@ def test_a_recording_is_read_once():
         twrench.check([recording, twrench.Recording.read(rows(), columns=NAMES)], BODY)
     with pytest.raises(twrench.UsageError, match="read in different ways"):
         twrench.check([columns_of(rows()), recording], BODY)
+
+
+def test_a_part_of_the_rows_is_judged():
+    numbers = rows()
+    numbers[:5, 1:] += 0.3
+    found = twrench.check(columns_of(numbers), BODY, from_time=2.0, to_time=10.0)
+    assert found.rows == 21
+    assert found.passes, found.verdict
+    with pytest.raises(twrench.UsageError, match="no row is from 30 to 40 s"):
+        twrench.check(columns_of(numbers), BODY, from_time=30.0, to_time=40.0)
+
+
+def test_the_inertia_is_fitted_to_the_rates():
+    found = twrench.check(columns_of(rows(200)), fit="inertia")
+    assert found.passes, found.verdict
+    np.testing.assert_allclose(found.inertia.moments, [1, 1.5, 2], atol=1e-9)
+    np.testing.assert_allclose(found.inertia.matrix, np.diag([1, 1.5, 2]), atol=1e-9)
+    assert np.all(found.inertia.deviations < 1e-9)
+    assert twrench.check(columns_of(rows()), BODY).inertia is None
+    with pytest.raises(twrench.UsageError, match="finds the body"):
+        twrench.check(columns_of(rows()), BODY, fit="inertia")
+    with pytest.raises(twrench.UsageError, match="must be True, False or 'inertia'"):
+        twrench.check(columns_of(rows()), fit="moments")
+    steady = {"t": np.arange(20.0), "wx": np.zeros(20), "wy": np.zeros(20), "wz": np.ones(20)}
+    with pytest.raises(twrench.Error, match="does not determine the ratios"):
+        twrench.check(steady, fit="inertia")

@@ -37,7 +37,12 @@ COUNTERPARTS: dict[str, Callable[..., Any] | type] = {
     "schema": twrench.schema,
 }
 #: Options whose arguments have another name.
-RENAMED = {"--output": "path", "--frame": "camera_frame"}
+RENAMED = {
+    "--output": "path",
+    "--frame": "camera_frame",
+    "--from": "from_time",
+    "--to": "to_time",
+}
 #: Options that no argument is named after, and the reason. Some are those of one command alone.
 WITHOUT_ARGUMENT = {
     "--help": "help() shows the documentation",
