@@ -52,6 +52,12 @@ Messages messages_in(const Input& input) {
                           "log attitudes or rates: LOG_BITMASK");
 }
 
+/// The text behind so many commas.
+std::string_view after_commas(std::string_view line, std::size_t count) {
+  for (; count > 0; --count) line.remove_prefix(std::min(line.find(',') + 1, line.size()));
+  return line;
+}
+
 }  // namespace
 
 bool is_of_ardupilot(std::string_view start) {
@@ -71,10 +77,9 @@ Input table_of_ardupilot(const Input& input) {
     const bool is_message = cells.front() == messages.name && messages.sensor < cells.size();
     if (is_message && sensor.empty()) sensor = cells[messages.sensor];
     if (is_format) {
-      *text +=
-          line.substr(static_cast<std::size_t>(cells[first_column_in_format].data() - line.data()));
-    } else if (is_message && cells[messages.sensor] == sensor && cells.size() > 1) {
-      *text += line.substr(static_cast<std::size_t>(cells[1].data() - line.data()));
+      *text += after_commas(line, first_column_in_format);
+    } else if (is_message && cells[messages.sensor] == sensor) {
+      *text += after_commas(line, 1);
     } else {
       *text += '#';
     }

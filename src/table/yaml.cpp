@@ -96,7 +96,8 @@ class Parser {
     const char* const problem = parser_.problem;
     throw system::FileError(
         fmt::format("{}:{}", name_, parser_.problem_mark.line + 1),
-        fmt::format("it is no valid YAML: {}", problem == nullptr ? "it ends too early" : problem));
+        fmt::format("it is no valid YAML: {}", problem == nullptr ? "it ends too early" : problem),
+        "if it is cut off, remove its last document");
   }
 
   system::FileError alias() const {

@@ -181,6 +181,9 @@ TEST(ArduPilot, HasTheMessagesOfOneKind) {
   EXPECT_EQ(angles.rows, (std::vector<std::vector<double>>{{15, 1.5, 90}, {25, 2, 91}}));
   EXPECT_THAT(table_error_of(formats + attitudes + "ATT, 35, x, 92\n"),
               testing::HasSubstr("run:7: the column 'Roll': 'x' is no number"));
+  EXPECT_EQ(read_table(formats + "ATT,\n" + attitudes).rows, angles.rows);
+  EXPECT_THAT(table_error_of(formats + attitudes + "ATT\n"),
+              testing::HasSubstr("run:7: the column 'TimeUS': 'ATT' is no number"));
   EXPECT_THAT(file_error_of(formats + "MSG, 1, ArduCopter\n"),
               testing::HasSubstr("has no messages ATT, IMU or GYR"));
 }
