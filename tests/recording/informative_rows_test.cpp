@@ -9,6 +9,7 @@
 #include "recording/columns/open_conventions.h"
 #include "scratch_folder.h"
 #include "table/error.h"
+#include "table/reader.h"
 
 namespace twrench::recording {
 namespace {
@@ -36,6 +37,19 @@ TEST(InformativeRows, NameTheRowThatIsWrong) {
   const std::string names = "t,qw,qx,qy,qz\n", rest = "0,1,0,0,0\n1,1,0,0,0\n";
   EXPECT_THAT(refusal_of(names + rest + "2,0,0,0,0\n"),
               HasSubstr("run.csv:4: the quaternion: it is zero"));
+}
+
+// Those that are cut off may be the motion of a hand, and no evidence for a reading.
+TEST(InformativeRows, AreThoseOfTheExtract) {
+  const std::string text = "t,p,q,r\n5,9,9,9\n6,1,2,3\n7,4,5,6\n8,9,9,9\n";
+  const Recording recording(table::open_table("run.csv", text));
+  const auto convention = conventions(recording.header(), {}).front();
+  EXPECT_EQ(informative_rows(recording, convention).size(), 4U);
+  const auto rows = informative_rows(recording.between({.from = 1, .to = 2}), convention);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].omega, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(rows[1].omega, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(rows[1].t, 1);
 }
 
 }  // namespace
