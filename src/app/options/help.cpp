@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <string_view>
-#include <utility>
 
 #include "app/options/command_model.h"
 #include "base/enumeration.h"
@@ -263,9 +262,10 @@ std::vector<std::string> words_for_parser(int argc, const char* const* argv) {
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     std::string word = argv[i];
-    const bool is_value = word == "inertia" && !words.empty() && words.back() == "--fit";
-    if (is_value) word = std::exchange(words.back(), {}) + "=" + word;
-    if (is_value) words.pop_back();
+    if (word == "inertia" && !words.empty() && words.back() == "--fit") {
+      words.back() += "=inertia";
+      continue;
+    }
     const bool is_option = std::ranges::find(words, "--") == words.end() && word.starts_with("--");
     const bool is_empty = is_option && word.find('=') + 1 == word.size();
     if (is_empty) word.pop_back();
