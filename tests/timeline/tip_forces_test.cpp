@@ -6,7 +6,6 @@
 #include <twrench/motion/rotating_frame.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -148,45 +147,6 @@ TEST(TipForces, AreAtTheEndNearestToTheMomentum) {
   for (const double spin : {1.0, -1.0}) {
     const motion::FreeBody body(Vector3d(1, 2, 3).asDiagonal(), spin * Vector3d(0.1, 1, 0.1));
     EXPECT_EQ(TipForces(body).axis(), Vector3d(0, spin, 0));
-  }
-}
-
-// The captions of the film explain: the centrifugal force pulls back, out, and out; about the axis
-// of least moment the tip circles, and about the intermediate one it runs away.
-TEST(TipForces, PullAsTheFilmExplainSays) {
-  const scene::Scene film = scene::load_scene("explain");
-  const auto told = [&](const char* words) -> const scene::Shot& {
-    return *std::ranges::find_if(film.shots, [&](const scene::Shot& shot) {
-      return shot.scene.caption.value_or("").find(words) != std::string::npos;
-    });
-  };
-  const scene::Shot &greatest = told("pulls back: it stays"),
-                    &least = told("Coriolis bends the path"),
-                    &middle = told("further and further out");
-  EXPECT_EQ(least.start, greatest.time_of(*greatest.scene.length));
-  EXPECT_EQ(middle.start, least.time_of(*least.scene.length));
-  const double end = middle.time_of(*middle.scene.length);
-  const std::vector<motion::FreeBody> bodies = scene::shown_bodies(least.scene);
-  ASSERT_EQ(bodies.size(), 3u);
-  const auto tilts_of = [](const motion::FreeBody& body, double until) {
-    const motion::Tilt tilt(body);
-    const motion::ExactMotion exact(body);
-    std::vector<double> tilts;
-    for (double t = 0; t <= until; t += 0.05) tilts.push_back(tilt.of(exact.at(t)));
-    return tilts;
-  };
-  const motion::ExactMotion about_greatest(bodies[0]), about_least(bodies[1]);
-  for (double t = 0; t <= end; t += 0.05) {
-    EXPECT_LT(outward(bodies[0], about_greatest.at(t)).centrifugal, 0) << t;
-    EXPECT_GT(outward(bodies[1], about_least.at(t)).centrifugal, 0) << t;
-  }
-  EXPECT_LT(std::ranges::max(tilts_of(bodies[0], end)), 0.3);
-  EXPECT_LT(std::ranges::max(tilts_of(bodies[1], end)), 0.8);
-  const std::vector<double> tilts = tilts_of(bodies[2], end);
-  EXPECT_TRUE(std::ranges::is_sorted(tilts)) << "it runs away";
-  EXPECT_GT(tilts.back(), 5 * tilts.front());
-  for (double t = middle.start; t <= end; t += 0.05) {
-    EXPECT_GT(outward(bodies[2], motion::ExactMotion(bodies[2]).at(t)).sum, 0) << t;
   }
 }
 
