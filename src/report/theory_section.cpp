@@ -146,7 +146,7 @@ void add_exact_motion(Section& section, Language language, Citations& citations)
              "body turns over if the swing is at least 120 degrees; otherwise it wobbles.",
              "Den første vendingen, og utslaget θ med indeksen s: vinkelen som den midterste aksen "
              "svinger gjennom fra den ene siden av planet normalt på L til den andre. Legemet snur "
-              "hvis utslaget er minst 120 grader; ellers slingrer det.")
+             "hvis utslaget er minst 120 grader; ellers slingrer det.")
           .in(language)));
 }
 

@@ -206,7 +206,7 @@ void EveryCommand::exports() {
 
 void EveryCommand::film(Thoroughness thoroughness) {
   const int count = scene_.frame_count();
-  expect(count >= 300 && count <= 6000, fmt::format("{} frames", count));
+  expect(count >= 300 && count <= 7200, fmt::format("{} frames", count));
   const bool flips = !flips_.empty() && scene_.shots.empty();
   const auto frame_at = [&](double t) {
     const double frame = t * scene_.film.fps / scene_.film.speed;
