@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "base/enumeration.h"
 #include "base/words.h"
@@ -38,7 +39,8 @@ std::string scene_html(const PageScene& scene, const Surface& surface,
   json["source"] = scene::is_scene_file(scene.source) ? scene.source : scene.original.name;
   json["source_options"] = scene.source_options;
   if (recording != nullptr) json["recording"]["options"] = scene.recording_options;
-  json["source_scene"] = scene::scene_json(scene.original);
+  nlohmann::ordered_json original = scene::scene_json(scene.original);
+  if (original != json["scene"]) json["source_scene"] = std::move(original);
   std::string data;
   for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
     if (c == '<') {

@@ -63,13 +63,13 @@ ordered_json page_json(const scene::Scene& scene, const Surface& surface,
   const motion::FreeBody body = scene::free_body(scene);
   ordered_json json{{"scene", scene::scene_json(alone)},
                     {"inertia", rows_json(body.inertia())},
-                    {"attitude", rows_json(body.attitude())},
-                    {"surface", surface_json(scene, surface, materials)},
+                              {"surface", surface_json(scene, surface, materials)},
                     {"themes", themes_json(scene.look, materials)},
                     {"limits", limits_json()},
                     {"rigid_features", names_json(scene::features_of_rigid_bodies)},
                     {"lossless_features", names_json(scene::features_of_lossless_bodies)},
                     {"time_units", time_units_json()}};
+  if (scene.motion.attitude) json["attitude"] = rows_json(body.attitude());
   if (recording != nullptr) {
     json["recording"] = recording_json(*scene.motion.recording, *recording);
   }

@@ -1,5 +1,6 @@
 #include "page/theme_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -71,11 +72,13 @@ ordered_json page_json(const picture::ThemeStyle& style) {
 ordered_json material_json(const scene::Look& look, const PartMaterial& part) {
   const picture::Material material = picture::material(look, part.look, part.has_own_colors);
   const glm::vec3 tint = material.diffuse + material.reflectance;
+  // A channel of a picture has eight bits; more digits would only make the page larger.
+  const auto rounded = [](float share) { return std::round(1e4 * double(share)) / 1e4; };
   return {{"constants", picture::shader_constants(material, picture::style_of(look.theme).studio)},
           {"metal", material.diffuse == glm::vec3(0)},
           {"rock", material.is_rock},
           {"colored", part.is_mesh},
-          {"tint", {tint.x, tint.y, tint.z}}};
+          {"tint", {rounded(tint.x), rounded(tint.y), rounded(tint.z)}}};
 }
 
 ordered_json theme_json(scene::Look look, const Materials& materials, scene::Theme theme) {

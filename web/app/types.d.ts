@@ -49,9 +49,9 @@ export interface PageData {
   source?: string; // the argument for the scene on the command line
   source_options?: string[]; // options that belong to it, if it is a mesh
   scene: Record<string, any>; // its values, with the keys of scene files
-  source_scene?: Record<string, any>; // its values before the command line changed them
+  source_scene?: Record<string, any>; // its values before the command line changed them, if it did
   inertia: number[]; // body axes, g cm^2, row by row
-  attitude: number[]; // of the scene's motion at t = 0, row by row
+  attitude?: number[]; // of the scene's motion at t = 0, row by row; default: the identity
   recording?: RecordedRows & { options: string[] }; // a recorded motion, and the options that show it in a film
   surface: Surface;
   themes: Record<string, any>;

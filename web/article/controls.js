@@ -15,7 +15,7 @@ import { seek } from '../app/player.js';
  * @property {(figure: Figure, value: number) => void} set
  * @property {(figure: Figure) => number[][]} omegas The angular velocities of the bodies at t = 0.
  * @property {(figure: Figure) => Interior[]} [interiors] What moves in the bodies; default: nothing.
- * @property {(figure: Figure) => Matrix} [attitude] At t = 0; default: the identity.
+ * @property {(figure: Figure) => Matrix | undefined} [attitude] At t = 0; default: the identity.
  */
 
 const degree = Math.PI / 180;
