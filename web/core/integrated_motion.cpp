@@ -111,8 +111,10 @@ bool turns_over(const motion::FreeBody& body) {
     low = std::min(low, std::clamp(mu[1], -1.0, 1.0));
     high = std::max(high, std::clamp(mu[1], -1.0, 1.0));
   }
+  // A wheel narrows the swing of a body that turns over.
+  constexpr double least_swing = std::numbers::pi / 2;
   const double swing = std::acos(low) - std::acos(high);
-  return swing >= motion::ExactMotion::Flips::least_swing && low < wheel && wheel < high;
+  return swing >= least_swing && low < wheel && wheel < high;
 }
 
 }  // namespace twrench::page
