@@ -87,7 +87,7 @@ void suit_flips(scene::Scene& scene) {
   }
 }
 
-/// What the page plays of a recorded motion, beside the exact motion.
+/// Returns the recorded motion that the page plays beside the exact one; nothing if there is none.
 std::optional<PageRecording> recording_of(const scene::Scene& scene) {
   if (!scene.motion.recording) return std::nullopt;
   const scene::ShownRecording& recording = *scene.motion.recording;
