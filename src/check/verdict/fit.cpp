@@ -270,8 +270,9 @@ FittedInertia fit_inertia(const std::string& name, std::span<const Row> rows,
   for (; count < rows.size() && (turned < enough || count < least_rows); ++count)
     turned += rows[count].omega.norm() * (rows[count].t - rows[count - 1].t);
   if (count < least_rows || turned == 0) throw undetermined_inertia(name);
-  const auto of_moments = fit_with_inertia(name, estimated_moments(rows), rows, count, 2, stop);
-  const auto of_matrix = fit_with_inertia(name, estimated_inertia(rows), rows, count, 5, stop);
+  const auto [of_own_axes, of_any_axes] = estimated_inertia(rows);
+  const auto of_moments = fit_with_inertia(name, of_own_axes, rows, count, 2, stop);
+  const auto of_matrix = fit_with_inertia(name, of_any_axes, rows, count, 5, stop);
   if (!of_moments && !of_matrix) throw undetermined_inertia(name);
   // Of two explanations, the one with more numbers must leave clearly less.
   constexpr double clearly = 20;

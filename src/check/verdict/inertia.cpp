@@ -105,15 +105,12 @@ FittedInertia fitted_inertia(const Matrix3d& inertia,
           of_ratios.diagonal().cwiseSqrt(), principal.axes};
 }
 
-Matrix3d estimated_inertia(std::span<const Row> rows) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(sum_of_squares(rows));
-  return made_positive(symmetric(solver.eigenvectors().col(0)));
-}
-
-Matrix3d estimated_moments(std::span<const Row> rows) {
-  const Matrix3d squares = sum_of_squares(rows).topLeftCorner<3, 3>();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(squares);
-  return made_positive(solver.eigenvectors().col(0).asDiagonal());
+EstimatedInertia estimated_inertia(std::span<const Row> rows) {
+  const Matrix6d squares = sum_of_squares(rows);
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> diagonal(Matrix3d(squares.topLeftCorner<3, 3>()));
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> symmetrical(squares);
+  return {made_positive(diagonal.eigenvectors().col(0).asDiagonal()),
+          made_positive(symmetric(symmetrical.eigenvectors().col(0)))};
 }
 
 }  // namespace twrench::check

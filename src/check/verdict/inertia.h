@@ -27,11 +27,14 @@ struct FittedInertia {
 FittedInertia fitted_inertia(const Eigen::Matrix3d& inertia,
                              const Eigen::Matrix<double, 5, 5>& covariance);
 
-/// Returns an inertia matrix with which I (w_b - w_a) is about the integral of (I w) x w from a to
-/// b, for pairs of rows that are about half a radian apart: the start of a fit.
-Eigen::Matrix3d estimated_inertia(std::span<const recording::Row> rows);
+/// Inertia matrices with which I (w_b - w_a) is about the integral of (I w) x w from a to b, for
+/// pairs of rows that are about half a radian apart: the starts of fits.
+struct EstimatedInertia {
+  Eigen::Matrix3d of_own_axes;  ///< of a body whose principal axes are those of the rows
+  Eigen::Matrix3d of_any_axes;
+};
 
-/// Does the same for a body whose principal axes are those of the rows.
-Eigen::Matrix3d estimated_moments(std::span<const recording::Row> rows);
+/// Estimates the inertia matrices from at least two rows.
+EstimatedInertia estimated_inertia(std::span<const recording::Row> rows);
 
 }  // namespace twrench::check
