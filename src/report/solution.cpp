@@ -92,6 +92,9 @@ std::vector<double> plot_times(const scene::Motion& motion, double most) {
   return times;
 }
 
+namespace {
+
+/// The motion by the scene's own method, with the flips of the exact motion if the body turns over.
 plot::AttitudeCurve attitude_curve(const scene::Scene& scene) {
   const motion::FreeBody body = scene::free_body(scene);
   const motion::Method& method = motion::find_method(scene.motion.method);
@@ -107,6 +110,8 @@ plot::AttitudeCurve attitude_curve(const scene::Scene& scene) {
   }
   return curve;
 }
+
+}  // namespace
 
 std::vector<plot::AttitudeCurve> shown_curves(const scene::Scene& scene) {
   const auto& recording = scene.motion.recording;

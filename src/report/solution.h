@@ -55,12 +55,9 @@ study::Study study_of_all(const Experiment& experiment);
 /// Returns the times of a plot: enough for smooth curves, but about `most` at most.
 std::vector<double> plot_times(const scene::Motion& motion, double most = 4000.0);
 
-/// Returns the motion of a scene by its own method, as `twrench plot` draws it, with the flips of
-/// the exact motion if the body turns over. Throws as integrate() does.
-plot::AttitudeCurve attitude_curve(const scene::Scene& scene);
-
-/// Returns the curves of a scene: its motion or, if it shows a recorded one, that and the exact
-/// motion of the body, if it is known. Throws as integrate() does.
+/// Returns the curves that `twrench plot` draws of a scene: its motion by its own method or, if it
+/// shows a recorded one, that and the exact motion of the body, if it is known. Each has the flips
+/// of a body that turns over. Throws as integrate() does.
 std::vector<plot::AttitudeCurve> shown_curves(const scene::Scene& scene);
 
 }  // namespace twrench::report
