@@ -47,8 +47,8 @@ struct Formula {
   std::string says;  ///< The meaning of its symbols, and its source.
 };
 
-/// Returns the formula with that name in formulas.txt, of which each three lines have a name, the
-/// formula in TeX, and the same as the content of <math>.
+/// Returns the formula with that name in formulas.txt. A formula has three lines there: its name,
+/// the formula in TeX, and the content of <math>.
 Formula formula(std::string_view name, std::string says);
 
 /// A list, as of references.

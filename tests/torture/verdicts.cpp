@@ -37,7 +37,7 @@ check::RandomRecording recording_of(std::uint32_t seed, std::uint32_t number) {
                                bodies[kind % bodies.size()], seed, number);
 }
 
-/// What was tried, and how the verdicts were.
+/// The numbers of recordings and simulators that were judged, and of wrong verdicts.
 struct Counts {
   std::atomic<int> recordings = 0, wrong_recordings = 0;
   std::atomic<int> simulations = 0, named = 0, wrong_simulations = 0;

@@ -24,7 +24,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The factors of the residuals, 0 if the rows have none of that kind, and what is fitted to them.
+/// The factors of the residuals, and how many numbers of the inertia are fitted. A factor is 0 if
+/// the rows have no such residuals.
 struct Weights {
   double rates;                      ///< s/rad
   double attitude;                   ///< 1/rad
@@ -274,7 +275,7 @@ FittedInertia fit_inertia(const std::string& name, std::span<const Row> rows,
   const auto of_moments = fit_with_inertia(name, of_own_axes, rows, count, 2, stop);
   const auto of_matrix = fit_with_inertia(name, of_any_axes, rows, count, 5, stop);
   if (!of_moments && !of_matrix) throw undetermined_inertia(name);
-  // Of two explanations, the one with more numbers must leave clearly less.
+  // The fit with more numbers is preferred only if its residual is clearly smaller.
   constexpr double clearly = 20;
   const double less = std::exp(-clearly / static_cast<double>(6 * rows.size()));
   const bool are_axes_others =

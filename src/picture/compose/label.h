@@ -25,9 +25,9 @@ struct Label {
   double half_width = 0;
 };
 
-/// Returns the label at the end of an object that extends from `from` to `to` in space and is there
-/// `half_width` wide to each side, for a camera whose picture fills `pane`; nothing if the end is
-/// outside.
+/// Returns the label at the end of an object that extends from `from` to `to` in space, for a
+/// camera whose picture fills `pane`. At its end the object extends by `half_width` to each side.
+/// Returns nothing if the end is outside.
 std::optional<Label> label_at(const std::string& text, const Camera& camera,
                               const image::Area& pane, const Eigen::Vector3d& from,
                               const Eigen::Vector3d& to, const Color& color, double half_width = 0);

@@ -50,7 +50,7 @@ TEST(Inertia, ChangesWithoutItsSize) {
   EXPECT_TRUE(changed_inertia(inertia, InertiaChange::Zero()).isApprox(inertia, 1e-15));
 }
 
-// Of bodies whose principal axes are not those of the file, too.
+// The principal axes of some of these bodies are not the axes of the file.
 TEST(Inertia, IsFoundToTheDigitsOfTheRates) {
   const Matrix3d axes = so3::exp(Vector3d(0.3, -0.2, 0.5));
   for (const Vector3d& of_body : {Vector3d(2, 3, 4.5), Vector3d(1, 1.2, 1.9), Vector3d(2, 2, 3)}) {

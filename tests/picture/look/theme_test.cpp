@@ -103,7 +103,7 @@ TEST_P(ThemeTest, HasColoursThatEveryKindOfEyeTellsApart) {
   }
 }
 
-// A colour never stands for an axis in one picture and for a force in another.
+// No force has the colour of an axis, even in another picture.
 TEST_P(ThemeTest, HasColoursOfForcesThatAreNotThoseOfAxes) {
   const std::vector<Color> told = beside_forces(colors);
   for (std::size_t i = 0; i < told.size(); ++i) {
