@@ -63,7 +63,7 @@ ordered_json page_json(const scene::Scene& scene, const Surface& surface,
   const motion::FreeBody body = scene::free_body(scene);
   ordered_json json{{"scene", scene::scene_json(alone)},
                     {"inertia", rows_json(body.inertia())},
-                              {"surface", surface_json(scene, surface, materials)},
+                    {"surface", surface_json(scene, surface, materials)},
                     {"themes", themes_json(scene.look, materials)},
                     {"limits", limits_json()},
                     {"rigid_features", names_json(scene::features_of_rigid_bodies)},
