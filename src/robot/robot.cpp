@@ -1,0 +1,110 @@
+#include "robot/robot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/words.h"
+#include "robot/formats.h"
+#include "robot/xml_file.h"
+
+namespace twrench::robot {
+namespace {
+
+bool uses_xacro(const XmlFile& file) {
+  const std::string& text = file.text();
+  return file.path().extension() == ".xacro" || text.find("<xacro:") != std::string::npos ||
+         text.find("\"${") != std::string::npos;
+}
+
+void read_format(const XmlFile& file, Robot& robot) {
+  const std::string_view root = file.root().name();
+  if (root == "robot") {
+    robot.format = Format::urdf;
+    return read_urdf(file, robot);
+  }
+  throw system::FileError(fmt::format("cannot read {}", file.path().string()),
+                          fmt::format("its root element is <{}>", root),
+                          "URDF has <robot>, SDF has <sdf>, MJCF has <mujoco>");
+}
+
+void require_distinct_names(const Robot& robot) {
+  std::map<std::string, std::size_t> lines;
+  for (const Link& link : robot.links) {
+    const auto [first, is_new] = lines.emplace(link.name, link.line);
+    if (is_new) continue;
+    throw InvalidArgument(
+        fmt::format("{}:{}: link '{}'", robot.file.string(), link.line, link.name),
+        fmt::format("line {} has a link of the same name", first->second), "rename one of them");
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
+  return (Eigen::AngleAxisd(rpy[2], Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(rpy[0], Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+double length_in_cm(const XmlFile& file, const pugi::xml_node& node, double metres) {
+  const double result = 100.0 * metres;
+  if (std::isfinite(result) && result > 0.0) return result;
+  throw file.bad(node, fmt::format("a length is {} m", metres), "lengths are positive");
+}
+
+Eigen::Vector3d Inertial::centre_of_mass() const {
+  return {centre[0].value, centre[1].value, centre[2].value};
+}
+
+Eigen::Matrix3d Inertial::matrix() const {
+  Eigen::Matrix3d result;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto [row, column] = entry_indices[i];
+    result(row, column) = result(column, row) = entries[i].value;
+  }
+  return result;
+}
+
+Eigen::Matrix3d Inertial::inertia() const {
+  return link_from_inertial * matrix() * link_from_inertial.transpose();
+}
+
+const Link& Robot::link(const std::string& wanted) const {
+  const auto found = std::ranges::find(links, wanted, &Link::name);
+  if (found != links.end()) return *found;
+  std::vector<std::string> names;
+  for (const Link& link : links) names.push_back(link.name);
+  throw unknown_name("link", wanted, names);
+}
+
+bool is_robot_name(const std::filesystem::path& file) {
+  const std::string ending = to_lower(file.extension().string());
+  constexpr std::array<std::string_view, 6> endings{".urdf", ".sdf",   ".world",
+                                                    ".mjcf", ".xacro", ".xml"};
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
+Robot read_robot(const std::filesystem::path& path) {
+  const XmlFile file(path);
+  if (uses_xacro(file)) {
+    throw system::FileError(fmt::format("cannot read {}", path.string()),
+                            "it has macros of xacro, which are not expanded",
+                            "run xacro first: xacro FILE > robot.urdf");
+  }
+  Robot robot;
+  robot.file = path;
+  robot.text = file.text();
+  robot.mesh_folder = path.parent_path();
+  read_format(file, robot);
+  if (robot.links.empty()) {
+    throw InvalidArgument(path.string(), "it has no links", "give the description of a robot");
+  }
+  require_distinct_names(robot);
+  return robot;
+}
+
+}  // namespace twrench::robot
