@@ -133,11 +133,10 @@ void add_doubts(const Inertial& inertial, const LinkGeometry& geometry, Diagnosi
   const auto add = [&](std::optional<Finding> finding) {
     if (finding) diagnosis.faults.push_back(std::move(*finding));
   };
+  if (geometry.is_known()) add(centre_outside(inertial, geometry));
+  if (diagnosis.agreement) return;
   add(identity(diagnosis.body, geometry));
-  if (geometry.is_known()) {
-    add(centre_outside(inertial, geometry));
-    add(too_large(diagnosis.body, geometry));
-  }
+  if (geometry.is_known()) add(too_large(diagnosis.body, geometry));
   if (diagnosis.faults.empty()) add(too_small(diagnosis.body, geometry));
 }
 
@@ -183,7 +182,7 @@ Diagnosis judge(const Robot& robot, std::size_t index,
     if (diagnosis.faults.front().fault == Fault::not_finite) return diagnosis;
   } else {
     diagnosis.agreement = agreement(*link.inertial, geometry.models());
-    if (!diagnosis.agreement) add_doubts(*link.inertial, geometry, diagnosis);
+    add_doubts(*link.inertial, geometry, diagnosis);
   }
   diagnosis.mistakes = mistakes(*link.inertial, geometry.models(), diagnosis);
   if (!diagnosis.agreement && diagnosis.mistakes.empty()) {

@@ -248,14 +248,22 @@ std::optional<Finding> mass_in_grams(const LinkMass& stated, const std::vector<M
   return std::nullopt;
 }
 
-/// The mistakes without which impossible moments are possible.
-std::vector<Finding> possible_again(const std::vector<Trial>& trials) {
+/// The geometry of a link is often not its mass, but roughly so.
+constexpr double rough = 0.25;
+
+/// The mistakes without which impossible moments are possible and not far from a geometry, if there
+/// is one.
+std::vector<Finding> possible_again(const std::vector<Trial>& trials,
+                                    const std::vector<MassModel>& models) {
   std::vector<Finding> found;
   for (const Trial& trial : trials) {
     const bool is_matrix = trial.fault == Fault::products_sign ||
                            trial.fault == Fault::entries_order ||
                            trial.fault == Fault::shifted_twice || trial.fault == Fault::frame;
-    if (!is_matrix || !is_possible(trial.undone)) continue;
+    const bool is_near = models.empty() || std::ranges::any_of(models, [&](const auto& model) {
+                           return misfit_of(trial.undone, model) < rough;
+                         });
+    if (!is_matrix || !is_near || !is_possible(trial.undone)) continue;
     if (std::ranges::find(found, trial.fault, &Finding::fault) != found.end()) continue;
     found.push_back({trial.fault, trial.text, trial.undone});
   }
@@ -306,7 +314,8 @@ std::vector<Finding> mistakes(const Inertial& inertial, const std::vector<MassMo
     if (!found.empty()) break;
     if (auto finding = other_axes(stated, model, most)) found.push_back(std::move(*finding));
   }
-  if (found.empty() && diagnosis.verdict == Verdict::impossible) return possible_again(trials);
+  if (found.empty() && diagnosis.verdict == Verdict::impossible)
+    return possible_again(trials, models);
   return found;
 }
 

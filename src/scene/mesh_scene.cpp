@@ -84,18 +84,24 @@ Vector3d natural_omega(const body::MassProperties& body) {
   return round_each(body.axes.col(1) + push * body.axes.col(differs_below ? 0 : 2));
 }
 
-Scene mesh_scene(const std::string& file, const mesh::ReadOptions& options,
-                 const std::function<double(double volume)>& density_of) {
+Scene body_scene(const std::string& name, Body body) {
   Scene scene;
-  scene.name = std::filesystem::path(file).stem().string();
-  scene.title = title_of(scene.name);
-  scene.body = body_of(file, options, density_of);
+  scene.name = name;
+  std::ranges::replace(scene.name, '/', '-');
+  scene.title = title_of(name);
+  scene.body = std::move(body);
   const body::MassProperties properties = mass_properties(scene.body);
   scene.motion.omega = natural_omega(properties);
   scene.camera.azimuth = azimuth_across(properties.inertia * scene.motion.omega);
   scene.origins.title = Origin::scene;
   set_natural_times(scene);
   return scene;
+}
+
+Scene mesh_scene(const std::string& file, const mesh::ReadOptions& options,
+                 const std::function<double(double volume)>& density_of) {
+  return body_scene(std::filesystem::path(file).stem().string(),
+                    body_of(file, options, density_of));
 }
 
 }  // namespace twrench::scene

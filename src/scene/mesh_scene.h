@@ -16,8 +16,13 @@ namespace twrench::scene {
 /// over or to wobble, spins about its x axis.
 Eigen::Vector3d natural_omega(const body::MassProperties& body);
 
-/// Returns the scene of a single mesh. It is named after the file, has natural omega and times, and
-/// a camera from which the momentum lies across the picture. `density_of` returns the density in
+/// Returns the scene of a body: with that name and title, natural omega and times, and a camera
+/// from which the momentum lies across the picture. A '/' in the name becomes '-', because files
+/// are named after it.
+Scene body_scene(const std::string& name, Body body);
+
+/// Returns the scene of a single mesh. It is named after the file. See body_scene(). `density_of`
+/// returns the density in
 /// g/cm^3 for a volume in cm^3. Throws as mesh::read_mesh() does, and InvalidArgument if a scene
 /// file could not contain that part.
 Scene mesh_scene(const std::string& file, const mesh::ReadOptions& options,

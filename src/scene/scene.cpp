@@ -125,11 +125,15 @@ double fastest_rate(const motion::FreeBody& body) {
 }
 
 std::vector<body::Part> visible_parts(const Body& body) {
-  if (body.inertia) return equimomental_parts(*body.inertia, body.drawn_as);
+  if (body.inertia) return body.parts.empty() ? massive_parts(body) : body.parts;
   const Eigen::Vector3d centre = body::mass_properties(body.parts).centre_of_mass;
   std::vector<body::Part> parts = body.parts;
   for (body::Part& part : parts) part.position -= centre;
   return parts;
+}
+
+std::vector<body::Part> massive_parts(const Body& body) {
+  return body.inertia ? equimomental_parts(*body.inertia, body.drawn_as) : visible_parts(body);
 }
 
 PartDescription description(const Body& body, std::size_t part) {
@@ -192,7 +196,7 @@ std::string name_of_part(const Body& body, std::size_t part, Language language) 
     static constexpr std::array names{cross, cross, cross, heavy, heavy, light, light};
     return names.at(part).in(language);
   }
-  const std::string given = description(body, part).name;
+  const std::string given = body.inertia ? std::string() : description(body, part).name;
   return given.empty() ? Phrase("part {}", "del {}").in(language, part + 1) : given;
 }
 
@@ -200,7 +204,7 @@ std::string name_of_part(const Body& body, std::size_t part, Language language) 
 
 std::vector<PartGroup> part_groups(const Body& body, Language language) {
   std::vector<PartGroup> groups;
-  for (std::size_t i = 0; i < visible_parts(body).size(); ++i) {
+  for (std::size_t i = 0; i < massive_parts(body).size(); ++i) {
     const std::string name = name_of_part(body, i, language);
     auto group = std::ranges::find(groups, name, &PartGroup::name);
     if (group == groups.end()) group = groups.insert(groups.end(), {name, {}});

@@ -75,16 +75,18 @@ enum class Equimomental {
   cross,      ///< A cross with two heavy and two light discs.
 };
 
-/// The body, given by its parts or by its inertia alone.
+/// The body, given by its parts, by its inertia alone, or by its inertia with parts that are only
+/// drawn.
 struct Body {
-  /// The parts; empty if `inertia` is set.
+  /// The parts. If `inertia` is set, they are drawn about the centre of mass, which is the origin
+  /// then, and their densities do not matter.
   std::vector<body::Part> parts;
   /// Inertia matrix about the centre of mass in body axes, in g cm^2; symmetric. A diagonal one is
   /// given and written as three principal moments.
   std::optional<Eigen::Matrix3d> inertia;
   /// The descriptions of the parts, in order; there may be fewer than parts. See description().
   std::vector<PartDescription> descriptions = {};
-  /// The solid that is drawn if `inertia` is set.
+  /// The solid that is drawn if `inertia` is set, and there are no parts.
   Equimomental drawn_as = Equimomental::box;
 };
 
@@ -404,6 +406,10 @@ double fastest_rate(const motion::FreeBody& body);
 /// Returns the parts to draw, relative to the centre of mass: the body's own, or equimomental ones.
 std::vector<body::Part> visible_parts(const Body& body);
 
+/// Returns parts that have the body's inertia, relative to the centre of mass: the visible ones, or
+/// equimomental ones if those are only drawn.
+std::vector<body::Part> massive_parts(const Body& body);
+
 /// Returns the description of a visible part, with default values if the body has none for it.
 PartDescription description(const Body& body, std::size_t part);
 
@@ -411,7 +417,7 @@ PartDescription description(const Body& body, std::size_t part);
 struct PartGroup {
   /// Their name; "part 3" for one without.
   std::string name;
-  /// Their indices in visible_parts().
+  /// Their indices in massive_parts().
   std::vector<std::size_t> parts;
 };
 

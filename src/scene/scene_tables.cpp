@@ -44,10 +44,10 @@ Body read_body(TomlTable& file, MeshFiles& meshes) {
           find_enumerator<Equimomental>(table.required_text("shape"), table.place("shape"));
     }
   });
-  if (body.parts.empty() != body.inertia.has_value()) {
-    throw InvalidArgument(
-        file.place("part"),
-        "the body must be given either by [[part]] tables or by the moments or inertia of [body]");
+  if (body.parts.empty() && !body.inertia) {
+    throw InvalidArgument(file.place("part"),
+                          "the body must be given by [[part]] tables, by the moments or inertia of "
+                          "[body], or by both");
   }
   if (!body.inertia)
     limits::check_moments(file.place("part"), body::mass_properties(body.parts).moments);

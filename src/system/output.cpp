@@ -37,7 +37,19 @@ constexpr std::array exported_motion_formats{
 
 constexpr std::array inertia_formats{
     OutputFormat{"text", {".txt"}, "", "\nprincipal axes as columns, in body axes\n"},
-    OutputFormat{"json", {".json"}, scene_first, "\n \"principal_moments\": ["}};
+    OutputFormat{"json", {".json"}, scene_first, "\n \"principal_moments\": ["},
+    OutputFormat{"junit", {".xml"}, "<?xml", "<testsuites name=\"twrench inertia\""}};
+
+constexpr std::array robot_formats{
+    OutputFormat{"text", {".txt"}, "", "  principal moments, kg m^2  "},
+    OutputFormat{"json", {".json"}, "{\n \"robot\"", "\n \"counts\": {"},
+    OutputFormat{"junit", {".xml"}, "<?xml", "<testsuites name=\"twrench inertia\""}};
+
+// A repaired file has no mark of twrench, because it differs from the original only in numbers.
+constexpr std::string_view no_mark = "\x01";
+constexpr std::array robot_file_formats{OutputFormat{"urdf", {".urdf", ".xml"}, "", no_mark},
+                                        OutputFormat{"sdf", {".sdf", ".world"}, "", no_mark},
+                                        OutputFormat{"mjcf", {".xml", ".mjcf"}, "", no_mark}};
 
 constexpr std::array check_formats{
     OutputFormat{"text", {".txt"}, "", "\n  read as         "},
@@ -121,6 +133,10 @@ const OutputKind saved_motion{"motion", saved_motion_formats, OutputKind::Choice
 const OutputKind exported_motion{"export", exported_motion_formats, OutputKind::Choice::by_name};
 
 const OutputKind inertia_output{"inertia", inertia_formats};
+
+const OutputKind robot_output{"inertia", robot_formats};
+
+const OutputKind robot_file{"repaired robot", robot_file_formats, OutputKind::Choice::files_only};
 
 const OutputKind check_output{"check", check_formats};
 

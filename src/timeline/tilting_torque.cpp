@@ -23,7 +23,7 @@ Matrix3d second_moment(const body::PointMass& point) {
 
 TiltingTorque::TiltingTorque(const scene::Scene& scene, const motion::FreeBody& body)
     : body_(body), tilt_(body) {
-  const std::vector<body::Part> parts = scene::visible_parts(scene.body);
+  const std::vector<body::Part> parts = scene::massive_parts(scene.body);
   std::vector<Element> points;
   Matrix3d whole = Matrix3d::Zero();
   Vector3d end = body.principal().axes.col(tilt_.axis());

@@ -17,7 +17,9 @@ namespace {
 constexpr const char* exit_codes =
     "Exit codes:\n"
     "  0         success\n"
-    "  1         compare: the images differ; study, check: a bound was exceeded\n"
+    "  1         compare: the images differ; study, check: a bound was exceeded; inertia: a link "
+    "of a\n"
+    "            robot is impossible\n"
     "  2         invalid option or scene\n"
     "  3         no usable OpenGL context\n"
     "  4         ffmpeg (or gnuplot, for plots) is missing or failed\n"
@@ -67,7 +69,7 @@ void add_commands(CLI::App& app, ExitCode& code) {
   add_page(app);
   add_report(app);
   add_plot(app);
-  add_inertia(app);
+  add_inertia(app, code);
   add_study(app, code);
   add_encode(app);
   add_compare(app, code);

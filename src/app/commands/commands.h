@@ -21,7 +21,7 @@ void add_export(CLI::App& app);
 void add_page(CLI::App& app);
 void add_report(CLI::App& app);
 void add_plot(CLI::App& app);
-void add_inertia(CLI::App& app);
+void add_inertia(CLI::App& app, ExitCode& code);
 void add_study(CLI::App& app, ExitCode& code);
 void add_encode(CLI::App& app);
 void add_compare(CLI::App& app, ExitCode& code);

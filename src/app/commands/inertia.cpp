@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "app/commands/commands.h"
+#include "app/commands/robot_inertia.h"
 #include "app/options/arguments.h"
 #include "app/options/command_line.h"
 #include "app/options/scene_options.h"
@@ -231,9 +232,11 @@ struct InertiaOptions {
   explicit InertiaOptions(CLI::App& command)
       : scene(command), output(command, system::inertia_output) {
     scene.add_inertia_option();
+    add_repair_options(command, repair);
   }
 
   SceneOptions scene;
+  RepairOptions repair;
   OutputOptions output;
   std::string about;
   bool is_si = false;
@@ -245,9 +248,32 @@ std::optional<Turn> turn_of(const scene::Scene& scene) {
   return Turn{scene.motion.omega, *phase};
 }
 
-/// Reads the mesh or the scene that the user named, and adds its files to the inputs.
+/// The link of a robot that the user named.
+Described describe_link(const InertiaOptions& options, system::FileList& files) {
+  const std::string& file = options.scene.sources().front();
+  const RobotOptions& robot_options = options.scene.robot_options();
+  options.scene.require_no_overrides(file);
+  const JudgedLinks links = robot_options.read(file);
+  files.add_input(file);
+  for (const std::filesystem::path& other : links.files) files.add_input(other);
+  const robot::Diagnosis& link = links.diagnoses[links.index(robot_options.link())];
+  if (link.verdict == robot::Verdict::unstated || !(link.moments[0] > 0.0)) {
+    throw InvalidArgument(fmt::format("{}: link '{}'", file, robot_options.link()),
+                          "it has no mass properties that a body can have",
+                          "see the report on all links: twrench inertia FILE");
+  }
+  constexpr double grams = kilogram_metre.grams, cm = kilogram_metre.centimetres;
+  const Eigen::Matrix3d inertia = grams * cm * cm * link.body.inertia;
+  const body::PrincipalAxes principal = body::principal_axes((inertia + inertia.transpose()) / 2);
+  return {.name = robot_options.link(),
+          .body = {grams * link.body.mass, cm * link.body.centre, inertia, principal.moments,
+                   principal.axes}};
+}
+
+/// Reads the mesh, the link or the scene that the user named, and adds its files to the inputs.
 Described describe(const InertiaOptions& options, system::FileList& files) {
   const std::string& name = options.scene.sources().front();
+  if (robot::is_robot_name(name)) return describe_link(options, files);
   if (!mesh::is_mesh_name(name)) {
     options.scene.add_inputs(files);
     const scene::Scene scene = options.scene.scene();
@@ -271,13 +297,45 @@ Eigen::Vector3d point_of(const InertiaOptions& options) {
   return point;
 }
 
+/// Throws InvalidArgument about an option that is only for a whole robot.
+void require_one_body(const InertiaOptions& options, const system::OutputFile& file) {
+  const char* option = !options.repair.fixed_file.empty() ? "--fix"
+                       : options.repair.from_mesh         ? "--from-mesh"
+                       : file.format().name == "junit"    ? "--format junit"
+                                                          : nullptr;
+  if (option == nullptr) return;
+  throw InvalidArgument(option, "is for the links of a robot, and this is a single body",
+                        "name a file in URDF, SDF or MJCF, without --link");
+}
+
+/// Prints a single body.
+void print_body(const InertiaOptions& options) {
+  system::FileList files = options.output.files();
+  Described described = describe(options, files);
+  if (options.is_si) described.units = kilogram_metre;
+  if (!options.about.empty()) described.about = point_of(options);
+  const system::OutputFile file = options.output.add_to(files);
+  require_one_body(options, file);
+  system::write_output(
+      file, file.format().name == "text" ? inertia_text(described) : inertia_json(described));
+}
+
+/// Whether the user named a robot, and none of its links.
+bool is_whole_robot(const InertiaOptions& options) {
+  return robot::is_robot_name(options.scene.sources().front()) &&
+         options.scene.robot_options().link().empty();
+}
+
 }  // namespace
 
-void add_inertia(CLI::App& app) {
+void add_inertia(CLI::App& app, ExitCode& code) {
   CLI::App* command = app.add_subcommand(
       "inertia",
       "Print mass, centre of mass, inertia matrix, principal moments and axes, geometric phase");
-  command->footer("Example: twrench inertia bracket.stl --unit mm --density 7.8");
+  command->footer(
+      "Examples: twrench inertia bracket.stl --unit mm --density 7.8\n"
+      "          twrench inertia robot.urdf --fix repaired.urdf\n"
+      "Exit code 1: a link of the robot has mass properties that no body has.");
   const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_flag("--si", options->is_si, "print kg, m and kg m^2 instead of g, cm and g cm^2")
       ->group(heading(OptionGroup::output));
@@ -286,14 +344,11 @@ void add_inertia(CLI::App& app) {
                    "print the inertia about this point too, in cm or, with --si, in m")
       ->type_name("X,Y,Z")
       ->group(heading(OptionGroup::output));
-  command->callback([options] {
-    system::FileList files = options->output.files();
-    Described described = describe(*options, files);
-    if (options->is_si) described.units = kilogram_metre;
-    if (!options->about.empty()) described.about = point_of(*options);
-    const system::OutputFile file = options->output.add_to(files);
-    system::write_output(
-        file, file.format().name == "text" ? inertia_text(described) : inertia_json(described));
+  command->callback([options, &code] {
+    if (!is_whole_robot(*options)) return print_body(*options);
+    options->scene.require_no_overrides(options->scene.sources().front());
+    code = judge_robot(options->scene.sources().front(), options->scene.robot_options(),
+                       options->repair, options->output);
   });
 }
 

@@ -101,10 +101,11 @@ std::vector<std::string> given_options(const CLI::App& command,
   for (const std::string& name : names) {
     const CLI::Option& option = *command.get_option(name);
     if (option.count() == 0) continue;
-    const std::string& value = option.results().front();
-    // "--omega -1,0,0" would be an option's name.
-    words.push_back(name + (value.starts_with('-') ? "=" + value : ""));
-    if (!value.starts_with('-')) words.push_back(value);
+    for (const std::string& value : option.results()) {
+      // "--omega -1,0,0" would be an option's name.
+      words.push_back(name + (value.starts_with('-') ? "=" + value : ""));
+      if (!value.starts_with('-')) words.push_back(value);
+    }
   }
   return words;
 }

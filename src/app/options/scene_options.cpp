@@ -103,11 +103,12 @@ std::string help_of(const scene::Field& field) {
 }
 
 SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::string> without)
-    : command_(command), names_(std::move(without)), mesh_(command) {
+    : command_(command), names_(std::move(without)), mesh_(command), robot_(command) {
   command
-      .add_option("SCENE", names_,
-                  ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb) or built-in scene (see twrench "
-                  "scenes)")
+      .add_option(
+          "SCENE", names_,
+          ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb), robot description (.urdf, .sdf, "
+          ".xml) or built-in scene (see twrench scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
       ->default_str(fmt::format("{}", fmt::join(names_, " ")));
 }
@@ -173,9 +174,10 @@ void SceneOptions::add_shape_option() {
                   fmt::join(enumerator_names<scene::Equimomental>(), ", ")),
       [](scene::Scene& scene, const std::string& text) {
         const scene::Equimomental form = find_enumerator<scene::Equimomental>(text, "--shape");
-        if (!scene.body.inertia) {
+        if (!scene.body.parts.empty()) {
           throw InvalidArgument(
-              "--shape", "applies only to a body given by its inertia, and this body has parts",
+              "--shape",
+              "applies only to a body given by its inertia alone, and this body has parts",
               "give its moments by --inertia, or leave --shape out");
         }
         scene.body.drawn_as = form;
@@ -256,15 +258,21 @@ const std::string& SceneOptions::name_of(const scene::Scene& scene) const {
 void SceneOptions::add_inputs(twrench::system::FileList& files) const {
   for (const std::string& name : names_) files.add_input(name);
   for (const Loaded& scene : load()) {
+    for (const std::filesystem::path& file : scene.robot_files) files.add_input(file);
     for (const std::filesystem::path& file : scene::input_files(scene.overridden)) {
       files.add_input(file);
     }
   }
 }
 
-scene::Scene SceneOptions::load(const std::string& name) const {
-  if (mesh::is_mesh_name(name)) return mesh_.scene(name);
-  return scene::load_scene(language_ ? scene::story_in(*language_, name, "--language") : name);
+SceneOptions::Loaded SceneOptions::load(const std::string& name) const {
+  if (mesh::is_mesh_name(name)) return {mesh_.scene(name)};
+  if (robot::is_robot_name(name)) {
+    JudgedLinks judged = robot_.read(name);
+    for (const std::string& note : judged.notes) warn(name + ": " + note);
+    return {.original = robot_.scene(judged), .robot_files = std::move(judged.files)};
+  }
+  return {scene::load_scene(language_ ? scene::story_in(*language_, name, "--language") : name)};
 }
 
 void SceneOptions::set_length(scene::Scene& scene) const {
@@ -295,10 +303,12 @@ void SceneOptions::require_interior(const scene::Scene& scene) const {
 const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
   if (!loaded_.empty()) return loaded_;
   const bool has_mesh = std::ranges::any_of(names_, mesh::is_mesh_name);
+  const bool has_robot = std::ranges::any_of(names_, robot::is_robot_name);
   std::vector<Loaded> all;
   for (const std::string& name : names_) {
-    Loaded loaded{load(name), {}};
+    Loaded loaded = load(name);
     if (!has_mesh) mesh_.require_none();  // a wrong name is the first mistake
+    if (!has_robot) robot_.require_none();
     scene::Scene& scene = loaded.overridden = loaded.original;
     for (const auto& override_value : overrides_) {
       override_value(scene);
@@ -320,8 +330,9 @@ const std::vector<SceneOptions::Loaded>& SceneOptions::load() const {
 std::vector<std::string> SceneOptions::words(std::size_t index) const {
   const std::string& name = names_.at(index);
   std::vector<std::string> words{name};
-  if (!mesh::is_mesh_name(name)) return words;
-  const std::vector<std::string> options = mesh_.given();
+  std::vector<std::string> options;
+  if (mesh::is_mesh_name(name)) options = mesh_.given();
+  if (robot::is_robot_name(name)) options = robot_.given();
   words.insert(words.end(), options.begin(), options.end());
   return words;
 }

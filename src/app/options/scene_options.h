@@ -8,6 +8,7 @@
 #include "app/options/command_line.h"
 #include "app/options/mesh_options.h"
 #include "app/options/recording_options.h"
+#include "app/options/robot_options.h"
 #include "scene/fields.h"
 #include "scene/scene.h"
 #include "system/output.h"
@@ -95,6 +96,9 @@ class SceneOptions {
   /// Returns the options for SCENE as a mesh.
   const MeshOptions& mesh_options() const { return mesh_; }
 
+  /// Returns the options for SCENE as a robot description.
+  const RobotOptions& robot_options() const { return robot_; }
+
   /// Throws InvalidArgument if an option would override a value of `name`, which is not a scene.
   void require_no_overrides(const std::string& name) const;
 
@@ -126,12 +130,14 @@ class SceneOptions {
   void add_shape_option();
   /// A scene without and with the overrides.
   struct Loaded {
-    scene::Scene original, overridden;
+    scene::Scene original, overridden = {};
+    /// The files of a robot, except its description.
+    std::vector<std::filesystem::path> robot_files = {};
   };
 
   /// Loads the scenes without warnings, and only once, because a pipe can be read only once.
   const std::vector<Loaded>& load() const;
-  scene::Scene load(const std::string& name) const;
+  Loaded load(const std::string& name) const;
   /// Applies --length to a scene with all other overrides.
   void set_length(scene::Scene& scene) const;
   /// Throws InvalidArgument about an option or a key of the scene, as check_interior() does.
@@ -142,6 +148,7 @@ class SceneOptions {
   CLI::App& command_;
   std::vector<std::string> names_;
   MeshOptions mesh_;
+  RobotOptions robot_;
   RecordingOptions recording_;
   /// In the order of the options' definition.
   std::vector<std::function<void(scene::Scene&)>> overrides_;

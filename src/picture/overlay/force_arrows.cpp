@@ -52,7 +52,7 @@ ForceArrows::ForceArrows(const scene::Scene& scene, const timeline::Solution& so
       forces_(shown_forces(scene.overlay, forces_in(frame_))),
       body_(solution.body),
       radius_(radius) {
-  for (const body::Part& part : scene::visible_parts(scene.body)) {
+  for (const body::Part& part : scene::massive_parts(scene.body)) {
     std::ranges::copy(shown_points(part, radius), std::back_inserter(points_));
   }
   constexpr std::size_t stride = 8;  // of the samples, which are finer than needed here

@@ -1,0 +1,68 @@
+#include "app/commands/robot_inertia.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "app/options/command_line.h"
+#include "app/terminal/message.h"
+#include "base/enumeration.h"
+#include "base/words.h"
+#include "robot/report.h"
+#include "system/output.h"
+
+namespace twrench::app {
+namespace {
+
+std::string report(std::string_view format, const robot::JudgedRobot& judged) {
+  if (format == "json") return robot::robot_json(judged);
+  return format == "junit" ? robot::robot_junit(judged) : robot::robot_text(judged);
+}
+
+}  // namespace
+
+void add_repair_options(CLI::App& command, RepairOptions& options) {
+  command
+      .add_option(
+          "--fix", options.fixed_file,
+          "of a robot description: write it with repaired numbers, everything else byte for "
+          "byte the same")
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::output));
+  command
+      .add_flag(
+          "--from-mesh", options.from_mesh,
+          "with --fix: give links that no mistake explains the moments of their geometry with "
+          "uniform density")
+      ->group(heading(OptionGroup::output));
+}
+
+ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
+                     const RepairOptions& repair_options, const OutputOptions& output) {
+  if (repair_options.from_mesh && repair_options.fixed_file.empty()) {
+    throw InvalidArgument("--from-mesh", "it says how to repair, and nothing is repaired",
+                          "add --fix FILE");
+  }
+  const JudgedLinks links = robot_options.read(file);
+  system::FileList files = output.files();
+  files.add_input(file);
+  for (const std::filesystem::path& other : links.files) files.add_input(other);
+  const system::OutputFile report_file = output.add_to(files, system::robot_output);
+  const robot::JudgedRobot judged{links.robot, links.diagnoses, links.notes};
+  std::optional<system::OutputFile> fixed_file;
+  if (!repair_options.fixed_file.empty())
+    fixed_file = files.add_output(system::robot_file, repair_options.fixed_file,
+                                  enumerator_name(links.robot.format));
+  for (const std::string& note : links.notes) warn(file + ": " + note);
+  if (fixed_file) {
+    const robot::Repair repair =
+        robot::repair(links.robot, links.geometries, links.diagnoses, repair_options.from_mesh);
+    system::write_output(*fixed_file, repair.text);
+    write_message(with_arguments(robot::repair_text(repair), option_text));
+    say("twrench: inertia: {} links repaired, {} not; wrote {}\n", repair.changes.size(),
+        repair.unrepaired.size(), fixed_file->path().string());
+  }
+  system::write_output(report_file, report(report_file.format().name, judged));
+  return robot::count(judged, robot::Verdict::impossible) > 0 ? ExitCode::negative : ExitCode::done;
+}
+
+}  // namespace twrench::app

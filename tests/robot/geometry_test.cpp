@@ -1,0 +1,100 @@
+#include "robot/geometry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <numbers>
+
+#include "robot/samples.h"
+
+namespace twrench::robot {
+namespace {
+
+using Eigen::Vector3d;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+/// The surface of a solid as the limit of the solid minus a slightly smaller one, per area.
+Vector3d wall_by_difference(const std::function<body::Shape(double grown)>& shape) {
+  constexpr double h = 1e-6;
+  const auto moments = [](const body::Shape& s) {
+    return Vector3d(body::central_inertia(s, body::volume(s)).diagonal());
+  };
+  return (moments(shape(h)) - moments(shape(-h))) / (2 * h);
+}
+
+TEST(Walls, AreTheLimitOfHollowBodies) {
+  const auto box = [](double h) {
+    return body::Box{Vector3d(1, 2, 3) + Vector3d::Constant(2 * h)};
+  };
+  const auto ball = [](double h) { return body::Ellipsoid{Vector3d::Constant(2 + h)}; };
+  const auto cylinder = [](double h) { return body::Cylinder{0.5 + h, 3 + 2 * h}; };
+  const auto capsule = [](double h) { return body::Capsule{0.5 + h, 3}; };
+  const std::vector<std::function<body::Shape(double)>> shapes{box, ball, cylinder, capsule};
+  for (const auto& shape : shapes) {
+    const body::SolidIntegrals wall = *wall_integrals(shape(0));
+    const Vector3d expected = wall_by_difference(shape);
+    EXPECT_TRUE(Vector3d(wall.inertia.diagonal()).isApprox(expected, 1e-8))
+        << wall.inertia.diagonal().transpose() << " but " << expected.transpose();
+    constexpr double h = 1e-6;
+    EXPECT_NEAR(wall.volume, (body::volume(shape(h)) - body::volume(shape(-h))) / (2 * h), 1e-7);
+  }
+  EXPECT_FALSE(wall_integrals(body::Torus{2, 1}));
+}
+
+LinkGeometry geometry_of(const Robot& robot) {
+  Meshes meshes(robot, {});
+  return LinkGeometry(robot.links.front(), meshes);
+}
+
+TEST(LinkGeometry, MeasuresTheDistanceToItsConvexHull) {
+  const RobotFile file(
+      "<robot name='r'><link name='a'>"
+      "<visual><origin xyz='1 0 0'/><geometry><sphere radius='0.5'/></geometry></visual>"
+      "<visual><origin xyz='-1 0 0'/><geometry><box size='1 1 1'/></geometry></visual>"
+      "</link></robot>");
+  const Robot robot = file.read();
+  const LinkGeometry geometry = geometry_of(robot);
+  EXPECT_EQ(geometry.distance_outside(Vector3d::Zero()), 0);  // between the two
+  EXPECT_EQ(geometry.distance_outside({1.2, 0.2, 0.1}), 0);
+  EXPECT_NEAR(geometry.distance_outside({3, 0, 0}), 1.5, 1e-6);
+  EXPECT_NEAR(geometry.distance_outside({-1, 0, 2}), 1.5, 1e-3);
+  EXPECT_NEAR(geometry.extent(Vector3d::UnitX()), 1.5, 1e-15);
+  EXPECT_NEAR(geometry.extent(-Vector3d::UnitX()), 1.5, 1e-15);
+}
+
+TEST(LinkGeometry, FindsMeshesOfPackages) {
+  const RobotFile file(
+      "<robot name='r'><link name='a'>"
+      "<visual><geometry><mesh filename='package://pack/meshes/t.obj' scale='2 2 -2'/></geometry>"
+      "</visual></link></robot>");
+  std::filesystem::create_directories(file.folder() / "pack/meshes");
+  std::ofstream(file.folder() / "pack/meshes/t.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  const Robot robot = file.read();
+  const LinkGeometry geometry = geometry_of(robot);
+  EXPECT_THAT(geometry.problems(), SizeIs(0));
+  ASSERT_THAT(geometry.models(), SizeIs(2));
+  // A tetrahedron of the edges 2 m, mirrored.
+  EXPECT_NEAR(*geometry.models()[0].volume, 8.0 / 6, 1e-14);
+  EXPECT_TRUE(geometry.models()[0].body.centre.isApprox(Vector3d(0.5, 0.5, -0.5), 1e-14));
+}
+
+TEST(LinkGeometry, NamesAMeshThatIsMissing) {
+  const RobotFile file(
+      "<robot name='r'><link name='a'>"
+      "<visual><geometry><mesh filename='package://pack/t.stl'/></geometry></visual>"
+      "<collision><geometry><box size='1 1 1'/></geometry></collision></link></robot>");
+  const Robot robot = file.read();
+  const LinkGeometry geometry = geometry_of(robot);
+  ASSERT_THAT(geometry.problems(), SizeIs(1));
+  EXPECT_THAT(geometry.problems()[0], HasSubstr("package://pack/t.stl was not found"));
+  EXPECT_FALSE(geometry.is_known());
+  EXPECT_EQ(geometry.models().front().source, "its collision geometry");
+}
+
+}  // namespace
+}  // namespace twrench::robot
