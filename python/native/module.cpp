@@ -8,6 +8,7 @@ PYBIND11_MODULE(_native, module) {
   module.attr("version") = TWRENCH_VERSION;
   twrench::python::register_errors();
   twrench::python::add_bodies(module);
+  twrench::python::add_robots(module);
   twrench::python::add_cases(module);
   twrench::python::add_checks(module);
   twrench::python::add_dynamics(module);

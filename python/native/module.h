@@ -7,6 +7,7 @@ namespace twrench::python {
 // Each adds a part of the module twrench._native.
 
 void add_bodies(pybind11::module_& module);
+void add_robots(pybind11::module_& module);
 void add_cases(pybind11::module_& module);
 void add_checks(pybind11::module_& module);
 void add_dynamics(pybind11::module_& module);

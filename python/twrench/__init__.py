@@ -33,6 +33,7 @@ from .motion import (
     simulate,
 )
 from .published import case, cases
+from .robot import LinkFinding, Repaired, Robot, RobotLink
 from .scene import Scene, scenes, schema
 from .several import plot, report
 from .site import pages
@@ -60,6 +61,7 @@ __all__ = [
     "FrameComparison",
     "GlError",
     "InSI",
+    "LinkFinding",
     "ManyMotions",
     "Mesh",
     "Method",
@@ -71,6 +73,9 @@ __all__ = [
     "Phase",
     "Picture",
     "Recording",
+    "Repaired",
+    "Robot",
+    "RobotLink",
     "Scene",
     "SceneError",
     "Sphere",

@@ -206,11 +206,22 @@ Vector3d principal_moments(const Matrix3d& inertia) {
 
 bool is_possible(const LinkMass& body) { return !impossibility(body); }
 
-std::vector<Diagnosis> diagnose(const Robot& robot, const std::vector<LinkGeometry>& geometries) {
-  std::vector<Diagnosis> result;
-  for (std::size_t i = 0; i < robot.links.size(); ++i)
-    result.push_back(judge(robot, i, geometries));
-  return result;
+JudgedRobot judge_robot(const std::filesystem::path& file,
+                        const std::vector<std::filesystem::path>& packages) {
+  JudgedRobot judged;
+  judged.robot = read_robot(file);
+  judged.notes = judged.robot.notes;
+  Meshes meshes(judged.robot, packages);
+  for (const Link& link : judged.robot.links) {
+    judged.geometries.emplace_back(link, meshes);
+    for (const std::string& problem : judged.geometries.back().problems())
+      judged.notes.push_back(fmt::format("link '{}': {}", link.name, problem));
+  }
+  for (std::size_t i = 0; i < judged.robot.links.size(); ++i)
+    judged.diagnoses.push_back(judge(judged.robot, i, judged.geometries));
+  judged.files = meshes.files();
+  judged.files.insert(judged.files.end(), judged.robot.others.begin(), judged.robot.others.end());
+  return judged;
 }
 
 }  // namespace twrench::robot

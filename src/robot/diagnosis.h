@@ -97,7 +97,22 @@ struct Diagnosis {
   std::vector<Finding> mistakes = {};
 };
 
-/// Returns the judgement on each link. `geometries` are those of the links.
-std::vector<Diagnosis> diagnose(const Robot& robot, const std::vector<LinkGeometry>& geometries);
+/// A robot and the judgement on its links.
+struct JudgedRobot {
+  Robot robot;
+  // For each link:
+  std::vector<LinkGeometry> geometries;
+  std::vector<Diagnosis> diagnoses;
+  /// The other files that were read: meshes, and those that the description includes.
+  std::vector<std::filesystem::path> files;
+  /// What was not read, one line each.
+  std::vector<std::string> notes;
+};
+
+/// Reads a robot description and its meshes, and judges its links. `packages` are folders in which
+/// packages and models are looked for. Throws as read_robot(); a mesh that cannot be read is a
+/// note.
+JudgedRobot judge_robot(const std::filesystem::path& file,
+                        const std::vector<std::filesystem::path>& packages);
 
 }  // namespace twrench::robot

@@ -276,7 +276,8 @@ double relative_resolution(const Inertial& inertial) {
   double greatest = 0.0, resolution = 0.0;
   for (const Written& entry : inertial.entries) {
     greatest = std::max(greatest, std::abs(entry.value));
-    resolution = std::max(resolution, entry.resolution);
+    // A product of inertia that is written as "0" is exact.
+    if (entry.value != 0.0) resolution = std::max(resolution, entry.resolution);
   }
   return greatest > 0.0 ? std::clamp(resolution / greatest, 1e-3, 0.02) : 1e-3;
 }

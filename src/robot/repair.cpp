@@ -144,16 +144,16 @@ LinkMass nearest_possible(const LinkMass& body) {
   return result;
 }
 
-Repair repair(const Robot& robot, const std::vector<LinkGeometry>& geometries,
-              const std::vector<Diagnosis>& diagnoses, bool from_geometry) {
+Repair repair(const JudgedRobot& judged, bool from_geometry) {
+  const Robot& robot = judged.robot;
   Repair result;
   std::vector<Edit> edits;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const Diagnosis& diagnosis = diagnoses[i];
+    const Diagnosis& diagnosis = judged.diagnoses[i];
     const bool is_bad =
         diagnosis.verdict == Verdict::doubtful || diagnosis.verdict == Verdict::impossible;
     if (!is_bad) continue;
-    const Plan plan = plan_for(diagnosis, geometries[i], from_geometry);
+    const Plan plan = plan_for(diagnosis, judged.geometries[i], from_geometry);
     if (!plan.body) {
       result.unrepaired.push_back({robot.links[i].name, plan.reason});
       continue;

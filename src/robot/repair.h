@@ -38,7 +38,6 @@ LinkMass nearest_possible(const LinkMass& body);
 /// else takes the nearest possible moments. With `from_geometry`, links that no mistake explains
 /// get the centre and the moments of the geometry with uniform density, also if they are only
 /// doubtful.
-Repair repair(const Robot& robot, const std::vector<LinkGeometry>& geometries,
-              const std::vector<Diagnosis>& diagnoses, bool from_geometry);
+Repair repair(const JudgedRobot& judged, bool from_geometry);
 
 }  // namespace twrench::robot

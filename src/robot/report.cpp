@@ -201,7 +201,7 @@ std::string robot_junit(const JudgedRobot& judged) {
   return text + "  </testsuite>\n</testsuites>\n";
 }
 
-std::string repair_text(const Repair& repair) {
+std::string repair_text(const Repair& repair, const ArgumentWording& wording) {
   std::string text;
   for (const Change& change : repair.changes) {
     text += fmt::format("{}: {}: moments {} -> {} kg m^2\n", text::escape(change.link),
@@ -210,8 +210,8 @@ std::string repair_text(const Repair& repair) {
                         list_of(principal_moments(change.after.inertia), 6));
   }
   for (const Unrepaired& link : repair.unrepaired)
-    text +=
-        fmt::format("{}: not repaired: {}\n", text::escape(link.link), text::escape(link.reason));
+    text += fmt::format("{}: not repaired: {}\n", text::escape(link.link),
+                        text::escape(with_arguments(link.reason, wording)));
   return text;
 }
 

@@ -3,17 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "base/words.h"
 #include "robot/repair.h"
 
 namespace twrench::robot {
-
-/// A robot and the judgement on its links.
-struct JudgedRobot {
-  const Robot& robot;
-  std::vector<Diagnosis> diagnoses;
-  /// Notes on what was not read, one line each.
-  std::vector<std::string> notes;
-};
 
 /// Returns how many links have a verdict.
 std::size_t count(const JudgedRobot& judged, Verdict verdict);
@@ -29,6 +22,6 @@ std::string robot_json(const JudgedRobot& judged);
 std::string robot_junit(const JudgedRobot& judged);
 
 /// Returns what a repair changes and why, one line per link.
-std::string repair_text(const Repair& repair);
+std::string repair_text(const Repair& repair, const ArgumentWording& wording);
 
 }  // namespace twrench::robot

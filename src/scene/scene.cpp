@@ -89,8 +89,9 @@ void set_background(Look& look, const std::string& text, const std::string& what
 body::MassProperties mass_properties(const Body& body) {
   if (!body.inertia) return body::mass_properties(body.parts);
   const body::PrincipalAxes principal = body::principal_axes(*body.inertia);
-  return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(), *body.inertia,
-          principal.moments, principal.axes};
+  double mass = body.parts.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  for (const body::Part& part : body.parts) mass += part.density * body::volume(part.shape);
+  return {mass, Eigen::Vector3d::Zero(), *body.inertia, principal.moments, principal.axes};
 }
 
 motion::FreeBody free_body(const Scene& scene) {
@@ -134,6 +135,19 @@ std::vector<body::Part> visible_parts(const Body& body) {
 
 std::vector<body::Part> massive_parts(const Body& body) {
   return body.inertia ? equimomental_parts(*body.inertia, body.drawn_as) : visible_parts(body);
+}
+
+body::Part equal_ellipsoid(const Body& body) {
+  const body::MassProperties properties = mass_properties(body);
+  body::Part part = body::equimomental_ellipsoid(properties.inertia);
+  const double mass = part.density * body::volume(part.shape);
+  if (!std::isnan(properties.mass)) {
+    // The moments are proportional to the mass and to the squares of the radii.
+    auto& ellipsoid = std::get<body::Ellipsoid>(part.shape);
+    ellipsoid.radii *= std::sqrt(mass / properties.mass);
+    part.density = properties.mass / body::volume(part.shape);
+  }
+  return part;
 }
 
 PartDescription description(const Body& body, std::size_t part) {

@@ -79,7 +79,7 @@ enum class Equimomental {
 /// drawn.
 struct Body {
   /// The parts. If `inertia` is set, they are drawn about the centre of mass, which is the origin
-  /// then, and their densities do not matter.
+  /// then, and their densities state only the mass.
   std::vector<body::Part> parts;
   /// Inertia matrix about the centre of mass in body axes, in g cm^2; symmetric. A diagonal one is
   /// given and written as three principal moments.
@@ -221,6 +221,7 @@ enum class Feature {
   tip,         ///< The tip of the axis of the rotation, its path, and the forces on it.
   tilt,        ///< The tilt against L on a log scale, instead of the components.
   moments,     ///< The principal moments as bars.
+  inertia,     ///< The homogeneous ellipsoid that has the body's mass and inertia.
 };
 
 /// A force by which an observer in a frame of reference explains the motion.
@@ -388,8 +389,8 @@ struct Shot {
 /// begin at whole frames.
 std::vector<int> first_frames(const Scene& film);
 
-/// Returns the mass properties of the scene's body. If it is given by its inertia alone, the mass
-/// is NaN and the centre of mass 0.
+/// Returns the mass properties of the scene's body. If it is given by its inertia, the centre of
+/// mass is 0, and without parts the mass is NaN.
 body::MassProperties mass_properties(const Body& body);
 
 /// Returns the scene's body with the initial condition of its motion.
@@ -409,6 +410,10 @@ std::vector<body::Part> visible_parts(const Body& body);
 /// Returns parts that have the body's inertia, relative to the centre of mass: the visible ones, or
 /// equimomental ones if those are only drawn.
 std::vector<body::Part> massive_parts(const Body& body);
+
+/// Returns the homogeneous ellipsoid with the body's mass and inertia; for an unknown mass, that of
+/// density 1 g/cm^3.
+body::Part equal_ellipsoid(const Body& body);
 
 /// Returns the description of a visible part, with default values if the body has none for it.
 PartDescription description(const Body& body, std::size_t part);

@@ -19,21 +19,11 @@ using Eigen::Vector3d;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A robot file with what was found out about its links.
-struct Judged {
-  explicit Judged(const std::string& text, std::filesystem::path file) : path(std::move(file)) {
-    std::ofstream(path, std::ios::binary) << text;
-    robot = read_robot(path);
-    Meshes meshes(robot, {});
-    for (const Link& link : robot.links) geometries.emplace_back(link, meshes);
-    diagnoses = diagnose(robot, geometries);
-  }
-
-  std::filesystem::path path;
-  Robot robot;
-  std::vector<LinkGeometry> geometries;
-  std::vector<Diagnosis> diagnoses;
-};
+/// Writes a robot description and judges it.
+JudgedRobot judged(const std::string& text, const std::filesystem::path& file) {
+  std::ofstream(file, std::ios::binary) << text;
+  return judge_robot(file, {});
+}
 
 bool names(const Diagnosis& diagnosis, Fault fault) {
   const auto has = [&](const std::vector<Finding>& findings) {
@@ -200,8 +190,8 @@ TEST(Diagnosis, NamesPlantedMistakes) {
                                      change(link, correct) < 0.05))
       continue;
     ++all;
-    const Judged judged(robot_xml({link}), folder / "robot.urdf");
-    const Diagnosis& diagnosis = judged.diagnoses.front();
+    const JudgedRobot robot = judged(robot_xml({link}), folder / "robot.urdf");
+    const Diagnosis& diagnosis = robot.diagnoses.front();
     auto& [of_kind, kind] = named[std::string(enumerator_name(plant.fault))];
     ++kind;
     if (names(diagnosis, plant.fault)) {
@@ -223,18 +213,18 @@ TEST(Diagnosis, RaisesNoFalseAlarmAboutCorrectLinks) {
   Dice dice(7);
   for (int i = 0; i < 300; ++i) {
     const PlantedLink link = correct_link("arm", dice, folder.path());
-    const Judged judged(robot_xml({link}), folder / "robot.urdf");
-    EXPECT_EQ(judged.diagnoses.front().verdict, Verdict::good)
-        << named_in(judged.diagnoses.front()) << "\n"
+    const JudgedRobot robot = judged(robot_xml({link}), folder / "robot.urdf");
+    EXPECT_EQ(robot.diagnoses.front().verdict, Verdict::good)
+        << named_in(robot.diagnoses.front()) << "\n"
         << link.xml();
-    EXPECT_TRUE(judged.diagnoses.front().agreement.has_value()) << link.xml();
+    EXPECT_TRUE(robot.diagnoses.front().agreement.has_value()) << link.xml();
   }
 }
 
 /// The judgement on the first link of a robot.
 Diagnosis diagnosis_of(const std::string& links) {
   const ScratchFolder folder;
-  return Judged("<robot name=\"r\">" + links + "</robot>", folder / "robot.urdf").diagnoses.front();
+  return judged("<robot name=\"r\">" + links + "</robot>", folder / "robot.urdf").diagnoses.front();
 }
 
 std::string link_of(const std::string& name, double mass, const std::string& inertia,
@@ -316,19 +306,18 @@ TEST(Diagnosis, RepairsPlantedMistakes) {
     const Plant& plant = plants()[i % plants().size()];
     PlantedLink link = correct_link("arm", dice, folder.path());
     if (!plant.spoil(link, dice)) continue;
-    const Judged judged(robot_xml({link}), folder / "robot.urdf");
+    const JudgedRobot robot = judged(robot_xml({link}), folder / "robot.urdf");
     for (const bool from_geometry : {false, true}) {
-      const Repair repair =
-          robot::repair(judged.robot, judged.geometries, judged.diagnoses, from_geometry);
-      const Judged again(repair.text, folder / "repaired.urdf");
-      if (repair.changes.empty()) {
-        EXPECT_EQ(repair.text, judged.robot.text);
+      const Repair fixed = repair(robot, from_geometry);
+      const JudgedRobot again = judged(fixed.text, folder / "repaired.urdf");
+      if (fixed.changes.empty()) {
+        EXPECT_EQ(fixed.text, robot.robot.text);
         continue;
       }
       ++repaired;
       EXPECT_NE(again.diagnoses.front().verdict, Verdict::impossible)
-          << repair.changes.front().reason << "\n"
-          << repair.text;
+          << fixed.changes.front().reason << "\n"
+          << fixed.text;
       EXPECT_TRUE(is_possible(again.diagnoses.front().body));
     }
   }

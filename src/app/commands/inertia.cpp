@@ -47,6 +47,8 @@ struct Turn {
 
 /// The body whose properties are printed.
 struct Described {
+  /// "scene", "mesh" or "link".
+  std::string_view kind;
   std::string name;
   body::MassProperties body;
   /// Its mesh, if it is one.
@@ -180,7 +182,7 @@ nlohmann::ordered_json turn_json(const Turn& turn) {
 
 /// The report as text, and as JSON. Throw InvalidArgument about --about if the mass is not given.
 std::string inertia_text(const Described& described) {
-  const auto& [name, body, mesh, turn, is_rigid, about, units] = described;
+  const auto& [kind, name, body, mesh, turn, is_rigid, about, units] = described;
   const std::string mass = std::isnan(body.mass)
                                ? "not given"
                                : fmt::format("{} {}", body.mass / units.grams, units.mass);
@@ -195,15 +197,14 @@ std::string inertia_text(const Described& described) {
       "principal moments, {}\n  {}"
       "principal axes as columns, in body axes\n{}"
       "{}{}",
-      mesh ? "mesh" : "scene", text::escape(name), mesh ? mesh_lines(*mesh, units) : "", mass,
-      units.length, row(body.centre_of_mass / units.centimetres), unit,
-      matrix(body.inertia / of_inertia), about_lines(described), unit,
-      row(body.moments / of_inertia), matrix(body.axes), predictions(described),
-      turn ? turn_lines(*turn, is_rigid) : "");
+      kind, text::escape(name), mesh ? mesh_lines(*mesh, units) : "", mass, units.length,
+      row(body.centre_of_mass / units.centimetres), unit, matrix(body.inertia / of_inertia),
+      about_lines(described), unit, row(body.moments / of_inertia), matrix(body.axes),
+      predictions(described), turn ? turn_lines(*turn, is_rigid) : "");
 }
 
 std::string inertia_json(const Described& described) {
-  const auto& [name, body, mesh, turn, is_rigid, about, units] = described;
+  const auto& [kind, name, body, mesh, turn, is_rigid, about, units] = described;
   const double of_inertia = grams_per(units, 2);
   nlohmann::ordered_json document{{"scene", name}};
   document["units"] = {
@@ -253,10 +254,10 @@ Described describe_link(const InertiaOptions& options, system::FileList& files) 
   const std::string& file = options.scene.sources().front();
   const RobotOptions& robot_options = options.scene.robot_options();
   options.scene.require_no_overrides(file);
-  const JudgedLinks links = robot_options.read(file);
+  const robot::JudgedRobot judged = robot_options.read(file);
   files.add_input(file);
-  for (const std::filesystem::path& other : links.files) files.add_input(other);
-  const robot::Diagnosis& link = links.diagnoses[links.index(robot_options.link())];
+  for (const std::filesystem::path& other : judged.files) files.add_input(other);
+  const robot::Diagnosis& link = judged.diagnoses[robot_options.index(judged.robot)];
   if (link.verdict == robot::Verdict::unstated || !(link.moments[0] > 0.0)) {
     throw InvalidArgument(fmt::format("{}: link '{}'", file, robot_options.link()),
                           "it has no mass properties that a body can have",
@@ -265,7 +266,8 @@ Described describe_link(const InertiaOptions& options, system::FileList& files) 
   constexpr double grams = kilogram_metre.grams, cm = kilogram_metre.centimetres;
   const Eigen::Matrix3d inertia = grams * cm * cm * link.body.inertia;
   const body::PrincipalAxes principal = body::principal_axes((inertia + inertia.transpose()) / 2);
-  return {.name = robot_options.link(),
+  return {.kind = "link",
+          .name = robot_options.link(),
           .body = {grams * link.body.mass, cm * link.body.centre, inertia, principal.moments,
                    principal.axes}};
 }
@@ -277,7 +279,8 @@ Described describe(const InertiaOptions& options, system::FileList& files) {
   if (!mesh::is_mesh_name(name)) {
     options.scene.add_inputs(files);
     const scene::Scene scene = options.scene.scene();
-    return {.name = options.scene.name_of(scene),
+    return {.kind = "scene",
+            .name = options.scene.name_of(scene),
             .body = scene::mass_properties(scene.body),
             .turn = turn_of(scene),
             .is_rigid = scene.motion.is_rigid()};
@@ -286,7 +289,8 @@ Described describe(const InertiaOptions& options, system::FileList& files) {
   options.scene.require_no_overrides(name);
   MeshBody mesh = options.scene.mesh_options().read(name);
   for (const auto& other : mesh.file.others) files.add_input(other);
-  return {.name = std::filesystem::path(name).stem().string(),
+  return {.kind = "mesh",
+          .name = std::filesystem::path(name).stem().string(),
           .body = mesh.properties,
           .mesh = std::move(mesh.file)};
 }

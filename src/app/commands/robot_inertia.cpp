@@ -42,22 +42,21 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
     throw InvalidArgument("--from-mesh", "it says how to repair, and nothing is repaired",
                           "add --fix FILE");
   }
-  const JudgedLinks links = robot_options.read(file);
+  const robot::JudgedRobot judged = robot_options.read(file);
   system::FileList files = output.files();
   files.add_input(file);
-  for (const std::filesystem::path& other : links.files) files.add_input(other);
+  for (const std::filesystem::path& other : judged.files) files.add_input(other);
   const system::OutputFile report_file = output.add_to(files, system::robot_output);
-  const robot::JudgedRobot judged{links.robot, links.diagnoses, links.notes};
   std::optional<system::OutputFile> fixed_file;
   if (!repair_options.fixed_file.empty())
     fixed_file = files.add_output(system::robot_file, repair_options.fixed_file,
-                                  enumerator_name(links.robot.format));
-  for (const std::string& note : links.notes) warn(file + ": " + note);
+                                  enumerator_name(judged.robot.format));
+  for (const std::string& note : judged.notes)
+    warn(file + ": " + with_arguments(note, option_text));
   if (fixed_file) {
-    const robot::Repair repair =
-        robot::repair(links.robot, links.geometries, links.diagnoses, repair_options.from_mesh);
+    const robot::Repair repair = robot::repair(judged, repair_options.from_mesh);
     system::write_output(*fixed_file, repair.text);
-    write_message(with_arguments(robot::repair_text(repair), option_text));
+    write_message(robot::repair_text(repair, option_text));
     say("twrench: inertia: {} links repaired, {} not; wrote {}\n", repair.changes.size(),
         repair.unrepaired.size(), fixed_file->path().string());
   }

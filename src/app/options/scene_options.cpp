@@ -17,6 +17,7 @@
 #include "scene/interior.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
+#include "scene/link_scene.h"
 #include "scene/natural_times.h"
 #include "scene/shown_recording.h"
 #include "scene/video_length.h"
@@ -268,9 +269,11 @@ void SceneOptions::add_inputs(twrench::system::FileList& files) const {
 SceneOptions::Loaded SceneOptions::load(const std::string& name) const {
   if (mesh::is_mesh_name(name)) return {mesh_.scene(name)};
   if (robot::is_robot_name(name)) {
-    JudgedLinks judged = robot_.read(name);
-    for (const std::string& note : judged.notes) warn(name + ": " + note);
-    return {.original = robot_.scene(judged), .robot_files = std::move(judged.files)};
+    robot::JudgedRobot judged = robot_.read(name);
+    for (const std::string& note : judged.notes)
+      warn(name + ": " + with_arguments(note, option_text));
+    return {.original = scene::link_scene(judged, robot_.index(judged.robot)),
+            .robot_files = std::move(judged.files)};
   }
   return {scene::load_scene(language_ ? scene::story_in(*language_, name, "--language") : name)};
 }

@@ -39,6 +39,9 @@ std::vector<Vector3d> circle(const Vector3d& centre, const Vector3d& normal, dou
 
 BodyOverlay::BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body, double radius)
     : colors_(emphasised(style_of(scene.look.theme).overlay, scene.overlay)),
+      ellipsoid_(scene.overlay.shows(scene::Feature::inertia)
+                     ? std::optional(scene::equal_ellipsoid(scene.body))
+                     : std::nullopt),
       shows_axes_(scene.overlay.shows(scene::Feature::axes)),
       shows_momentum_(scene.overlay.shows(scene::Feature::momentum)),
       shows_omega_(scene.overlay.shows(scene::Feature::omega)),
@@ -79,6 +82,12 @@ BodyOverlay::BodyOverlay(const scene::Scene& scene, const motion::FreeBody& body
 std::vector<Vector3d> BodyOverlay::extent() const {
   std::vector<Vector3d> points;
   if (shows_momentum_) points.push_back(momentum_tip());
+  if (ellipsoid_) {
+    const double reach = body::bounding_radius(ellipsoid_->shape);
+    for (int i = 0; i < 3; ++i) {
+      for (const double side : {-1, 1}) points.emplace_back(side * reach * Vector3d::Unit(i));
+    }
+  }
   if (shows_omega_ && omega_reach_ > 0) {
     for (int i = 0; i < 3; ++i) {
       for (const double side : {-1, 1})
@@ -110,6 +119,7 @@ void BodyOverlay::draw(const timeline::SolutionState& instant, DrawList& opaque,
     opaque.arrow(centre, omega_tip(instant.sample), omega_shaft(), {colors_.omega},
                  omega_nearer(instant.sample));
   }
+  if (ellipsoid_) draw_ellipsoid(X, translucent);
   if (shows_plane_) draw_plane(translucent);
   if (shows_trail_) draw_trail(instant, translucent);
 }
@@ -143,6 +153,22 @@ void BodyOverlay::draw_plane(DrawList& translucent) const {
   for (const Vector3d& rim : circle(centre, up_, plane_radius_, spokes)) {
     line.clear();
     for (const double share : {0.25, 0.5, 0.75, 1.0}) add(centre + share * (rim - centre), 0.3);
+    translucent.line(line);
+  }
+}
+
+/// As a shell of glass, with the ellipses in its planes of symmetry.
+void BodyOverlay::draw_ellipsoid(const Matrix3d& X, DrawList& translucent) const {
+  const Vector3d& radii = std::get<body::Ellipsoid>(ellipsoid_->shape).radii;
+  const Matrix3d space_from_unit = X * ellipsoid_->body_from_part * radii.asDiagonal();
+  translucent.ellipsoid(space_from_unit, {colors_.plane, 0.25}, 0.8);
+  for (int i = 0; i < 3; ++i) {
+    std::vector<DrawList::Point> line;
+    for (const Vector3d& unit : circle(Vector3d::Zero(), Vector3d::Unit(i), 1, 96)) {
+      const Vector3d place = space_from_unit * unit;
+      line.push_back(
+          {place, plane_line * radius_ * translucent.pixels(place), {colors_.plane, 0.6}});
+    }
     translucent.line(line);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "picture/compose/label.h"
@@ -55,9 +56,12 @@ class BodyOverlay {
   static constexpr double momentum_length = 1.42;
 
   void draw_plane(DrawList& translucent) const;
+  void draw_ellipsoid(const Eigen::Matrix3d& X, DrawList& translucent) const;
   void draw_trail(const timeline::SolutionState& instant, DrawList& translucent) const;
 
   OverlayColors colors_;
+  /// The ellipsoid of equal inertia, if it is shown.
+  std::optional<body::Part> ellipsoid_;
   bool shows_axes_, shows_momentum_, shows_omega_, shows_plane_, shows_trail_, shows_labels_;
   double momentum_shaft_, omega_shaft_, axis_shaft_, trail_width_;  ///< In radii.
   double radius_;

@@ -1,0 +1,97 @@
+#include <pybind11/eigen.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/enumeration.h"
+#include "body.h"
+#include "module.h"
+#include "robot/repair.h"
+#include "scene/link_scene.h"
+
+namespace twrench::python {
+namespace {
+
+namespace py = pybind11;
+
+py::dict finding_of(const robot::Finding& finding) {
+  py::dict result;
+  result["fault"] = std::string(enumerator_name(finding.fault));
+  result["text"] = finding.text;
+  result["misfit"] = finding.misfit;
+  result["geometry"] = finding.model;
+  return result;
+}
+
+py::list findings_of(const std::vector<robot::Finding>& findings) {
+  py::list result;
+  for (const robot::Finding& finding : findings) result.append(finding_of(finding));
+  return result;
+}
+
+/// The judgement on each link as keyword arguments of RobotLink.
+py::list links_of(const robot::JudgedRobot& judged) {
+  py::list result;
+  for (std::size_t i = 0; i < judged.robot.links.size(); ++i) {
+    const robot::Diagnosis& diagnosis = judged.diagnoses[i];
+    py::dict link;
+    link["name"] = judged.robot.links[i].name;
+    link["line"] = judged.robot.links[i].line;
+    link["verdict"] = std::string(enumerator_name(diagnosis.verdict));
+    link["mass"] = diagnosis.body.mass;
+    link["centre_of_mass"] = diagnosis.body.centre;
+    link["inertia"] = diagnosis.body.inertia;
+    link["principal_moments"] = diagnosis.moments;
+    link["faults"] = findings_of(diagnosis.faults);
+    link["mistakes"] = findings_of(diagnosis.mistakes);
+    result.append(std::move(link));
+  }
+  return result;
+}
+
+robot::JudgedRobot judge(const std::filesystem::path& file,
+                         const std::vector<std::filesystem::path>& packages) {
+  const py::gil_scoped_release others_run;
+  return robot::judge_robot(file, packages);
+}
+
+/// The text of the repaired file, the changes, and the links that were not repaired, each with its
+/// reason.
+py::tuple repaired(const robot::JudgedRobot& judged, bool from_geometry) {
+  const robot::Repair repair = robot::repair(judged, from_geometry);
+  py::list changes, unrepaired;
+  for (const robot::Change& change : repair.changes)
+    changes.append(py::make_tuple(change.link, change.reason));
+  for (const robot::Unrepaired& link : repair.unrepaired)
+    unrepaired.append(py::make_tuple(link.link, link.reason));
+  return py::make_tuple(py::bytes(repair.text), changes, unrepaired);
+}
+
+Body link_as_body(const robot::JudgedRobot& judged, std::size_t link) {
+  scene::Body description = scene::link_body(judged, link);
+  const body::MassProperties properties = scene::mass_properties(description);
+  return {std::move(description), properties};
+}
+
+}  // namespace
+
+void add_robots(py::module_& module) {
+  py::class_<robot::JudgedRobot>(module, "JudgedRobot")
+      .def(py::init(&judge))
+      .def_property_readonly("name", [](const robot::JudgedRobot& j) { return j.robot.name; })
+      .def_property_readonly("format",
+                             [](const robot::JudgedRobot& j) {
+                               return std::string(enumerator_name(j.robot.format));
+                             })
+      .def_readonly("notes", &robot::JudgedRobot::notes)
+      .def_property_readonly("links", &links_of)
+      .def("repaired", &repaired)
+      .def("body", &link_as_body);
+}
+
+}  // namespace twrench::python

@@ -1,0 +1,65 @@
+#include "scene/link_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/words.h"
+#include "scene/limits.h"
+#include "scene/mesh_scene.h"
+
+namespace twrench::scene {
+namespace {
+
+constexpr double cm_per_m = 100.0, g_per_kg = 1000.0;
+
+/// The parts of a link about its centre of mass, with the mass of the link.
+std::vector<body::Part> drawn_parts(const robot::LinkGeometry& geometry,
+                                    const robot::LinkMass& body) {
+  std::vector<body::Part> parts = geometry.parts();
+  double volume = 0.0;
+  for (const body::Part& part : parts) volume += body::volume(part.shape);
+  for (body::Part& part : parts) {
+    part.position -= cm_per_m * body.centre;
+    part.density = g_per_kg * body.mass / volume;
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::size_t link_index(const robot::Robot& robot, const std::string& link,
+                       const std::string& what) {
+  std::vector<std::string> names;
+  for (const robot::Link& other : robot.links) names.push_back(other.name);
+  const auto found = std::ranges::find(names, link);
+  if (found == names.end()) throw unknown_name(what, link, names);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+Body link_body(const robot::JudgedRobot& judged, std::size_t link) {
+  const robot::Diagnosis& diagnosis = judged.diagnoses[link];
+  const std::string what =
+      fmt::format("{}: link '{}'", judged.robot.file.string(), judged.robot.links[link].name);
+  if (diagnosis.verdict == robot::Verdict::unstated) {
+    throw InvalidArgument(what, "the file states no mass properties for it",
+                          "choose a link that has an <inertial>");
+  }
+  if (!(diagnosis.moments[0] > 0.0) || !(diagnosis.body.mass > 0.0)) {
+    throw InvalidArgument(what, diagnosis.faults.front().text,
+                          "repair it first: twrench inertia FILE --fix OUT");
+  }
+  Body body;
+  const Eigen::Matrix3d inertia = g_per_kg * cm_per_m * cm_per_m * diagnosis.body.inertia;
+  body.inertia = limits::check_inertia(what, (inertia + inertia.transpose()) / 2);
+  body.parts = drawn_parts(judged.geometries[link], diagnosis.body);
+  return body;
+}
+
+Scene link_scene(const robot::JudgedRobot& judged, std::size_t link) {
+  return body_scene(judged.robot.links[link].name, link_body(judged, link));
+}
+
+}  // namespace twrench::scene
