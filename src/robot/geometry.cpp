@@ -143,8 +143,9 @@ LinkGeometry::LinkGeometry(const Link& link, Meshes& meshes) {
   is_known_ = is_known_ && !placed_.empty();
   const bool is_shell = std::ranges::any_of(placed_, &Placed::is_shell);
   for (const bool as_surface : {is_shell, !is_shell}) {
-    for (const auto use : {Geometry::Use::visual, Geometry::Use::collision})
-      add_model(use, as_surface);
+    for (const auto use : {Geometry::Use::visual, Geometry::Use::collision}) {
+      if (auto model = model_of(use, as_surface)) models_.push_back(std::move(*model));
+    }
   }
 }
 
@@ -154,6 +155,8 @@ void LinkGeometry::add(const Geometry& geometry, Meshes& meshes) {
       geometry.is_shell};
   if (const auto* shape = std::get_if<body::Shape>(&geometry.shape)) {
     placed.solid = placed.surface = *shape;
+  } else if (std::holds_alternative<UnknownShape>(geometry.shape)) {
+    is_known_ = false;
   } else {
     const Meshes::Loaded& mesh = meshes.load(std::get<MeshReference>(geometry.shape));
     if (mesh.solid) placed.solid = *mesh.solid;
@@ -164,30 +167,33 @@ void LinkGeometry::add(const Geometry& geometry, Meshes& meshes) {
   placed_.push_back(std::move(placed));
 }
 
-void LinkGeometry::add_model(Geometry::Use use, bool as_surface) {
+std::optional<MassModel> LinkGeometry::model_of(Geometry::Use use,
+                                                std::optional<bool> all_surfaces) const {
   Sum sum;
   bool states_mass = false;
   for (const Placed& placed : placed_) {
     if (placed.use != use) continue;
+    states_mass = states_mass || placed.mass || placed.density;
+    if (placed.mass.value_or(placed.density.value_or(1.0)) <= 0.0) continue;
+    const bool as_surface = all_surfaces.value_or(placed.is_shell);
     const auto integrals = integrals_of(as_surface ? placed.surface : placed.solid, as_surface);
-    if (!integrals) return;
+    if (!integrals) return std::nullopt;
     // kg, if the density is stated in kg/m^3; otherwise a weight
     const double size = integrals->volume * std::pow(cm, as_surface ? 2 : 3);
     const double mass = placed.mass.value_or(placed.density.value_or(1.0) * size);
-    states_mass = states_mass || placed.mass || placed.density;
-    if (mass <= 0.0) continue;
     const Matrix3d rotation = placed.link_from_geometry.linear();
     const Matrix3d inertia = mass / integrals->volume * cm * cm * integrals->inertia;
     sum.add(mass, placed.link_from_geometry * (cm * integrals->centroid),
             rotation * inertia * rotation.transpose());
   }
-  if (!(sum.mass() > 0.0)) return;
+  if (!(sum.mass() > 0.0)) return std::nullopt;
+  const bool is_surface = all_surfaces.value_or(false);
   MassModel model{
-      .source = fmt::format("{}its {} geometry", as_surface ? "the surface of " : "", name_of(use)),
+      .source = fmt::format("{}its {} geometry", is_surface ? "the surface of " : "", name_of(use)),
       .body = sum.body()};
-  if (!as_surface) model.volume = sum.mass();
+  if (!is_surface) model.volume = sum.mass();
   if (states_mass) model.mass = sum.mass(), model.volume.reset();
-  models_.push_back(std::move(model));
+  return model;
 }
 
 Vector3d LinkGeometry::farthest(const Vector3d& direction) const {

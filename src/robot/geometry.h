@@ -76,6 +76,11 @@ class LinkGeometry {
   /// geometry each give a solid and a surface, as far as they can be read.
   const std::vector<MassModel>& models() const { return models_; }
 
+  /// Returns the mass properties of the collision geometries with the masses or densities that the
+  /// file states, each a solid or a surface as it states, and its mass in kg; nothing if they
+  /// cannot be computed or have no mass.
+  std::optional<MassModel> stated() const { return model_of(Geometry::Use::collision, {}); }
+
   /// Returns why geometries could not be read or bound no solid, one line each.
   const std::vector<std::string>& problems() const { return problems_; }
 
@@ -102,7 +107,8 @@ class LinkGeometry {
   };
 
   void add(const Geometry& geometry, Meshes& meshes);
-  void add_model(Geometry::Use use, bool as_surface);
+  /// All as surfaces or all as solids or, if this is not given, each as the file states.
+  std::optional<MassModel> model_of(Geometry::Use use, std::optional<bool> all_surfaces) const;
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const;
 
   std::vector<Placed> placed_;

@@ -77,13 +77,17 @@ struct MeshReference {
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
 };
 
+/// A shape that is not read, such as a height field; the notes of the robot name it.
+struct UnknownShape {};
+
 /// A solid or a surface that belongs to a link.
 struct Geometry {
-  /// What the geometry is for. Those of MJCF count as visual.
+  /// What the geometry is for. In MJCF, a geom that collides with nothing is visual, except in a
+  /// body whose mass properties are those of its geoms: they all count as collision.
   enum class Use { visual, collision };
 
   Use use = Use::visual;
-  std::variant<body::Shape, MeshReference> shape;
+  std::variant<body::Shape, MeshReference, UnknownShape> shape;
   Eigen::Isometry3d link_from_geometry = Eigen::Isometry3d::Identity();
   /// In kg, and in kg/m^3, if stated; not both.
   std::optional<double> mass = {}, density = {};
@@ -108,6 +112,16 @@ struct Link {
   std::size_t line = 0;
 };
 
+/// Settings of an MJCF file with which MuJoCo changes mass properties when it compiles the file.
+struct CompilerSettings {
+  /// Lower bounds for masses in kg and principal moments in kg m^2.
+  double least_mass = 0.0, least_moment = 0.0;
+  /// Whether moments that violate the triangle inequality are replaced by their mean.
+  bool balances_moments = false;
+  /// The mass in kg to which that of all bodies together is scaled.
+  std::optional<double> total_mass = {};
+};
+
 /// The formats of robot descriptions.
 enum class Format { urdf, sdf, mjcf };
 
@@ -121,6 +135,7 @@ struct Robot {
   std::string text;
   /// The folder in which meshes without a scheme are looked for.
   std::filesystem::path mesh_folder;
+  CompilerSettings compiler = {};
   /// What was not understood or not used, one line each.
   std::vector<std::string> notes = {};
   /// Other files that belong to it.

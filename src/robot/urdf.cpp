@@ -38,8 +38,7 @@ Inertial inertial_of(const XmlFile& file, const pugi::xml_node& node) {
   return inertial;
 }
 
-std::variant<body::Shape, MeshReference> shape_of(const XmlFile& file,
-                                                  const pugi::xml_node& geometry) {
+decltype(Geometry::shape) shape_of(const XmlFile& file, const pugi::xml_node& geometry) {
   const pugi::xml_node node = geometry.first_child();
   const std::string_view name = node.name();
   const auto length = [&](const char* attribute) {

@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{64} << 20U;
 constexpr std::string_view white_space = " \t\r\n";
 
+/// Readers visit nested elements recursively.
+constexpr std::size_t most_nested = 1000;
+
 /// Returns half a unit of the last digit of a number.
 double resolution_of(std::string_view digits) {
   const std::size_t letter = std::min(digits.find_first_of("eE"), digits.size());
@@ -39,6 +42,25 @@ std::optional<double> number_of(std::string_view word) {
   if (stop != word.data() + word.size() || word.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) return std::nullopt;
   return value;
+}
+
+/// Returns an element that is nested too deeply; nothing if there is none.
+pugi::xml_node nested_too_deeply(const pugi::xml_document& document) {
+  std::size_t depth = 0;
+  pugi::xml_node node = document;
+  while (true) {
+    if (depth > most_nested && node.type() == pugi::node_element) return node;
+    if (node.first_child()) {
+      node = node.first_child();
+      ++depth;
+      continue;
+    }
+    for (; !node.next_sibling(); --depth) {
+      if (depth == 0) return {};
+      node = node.parent();
+    }
+    node = node.next_sibling();
+  }
 }
 
 std::string remedy_for(std::string_view word) {
@@ -73,6 +95,10 @@ XmlFile::XmlFile(const std::filesystem::path& file) : path_(file) {
   }
   for (std::size_t i = 0; i < text_.size(); ++i)
     if (text_[i] == '\n') line_ends_.push_back(i);
+  if (const pugi::xml_node node = nested_too_deeply(document_)) {
+    throw bad(node, fmt::format("elements are nested more than {} deep", most_nested),
+              "nest them less deeply");
+  }
 }
 
 std::size_t XmlFile::line(const pugi::xml_node& node) const {
@@ -96,10 +122,21 @@ std::string_view XmlFile::required(const pugi::xml_node& node, const char* attri
   return found.value();
 }
 
+std::string_view XmlFile::written(const char* value) const {
+  if (*value == '\0') return {};
+  const auto begin = static_cast<std::size_t>(value - parsed_.data());
+  const char before = text_[begin - 1];
+  const std::string_view end = before == '>'   ? "<"
+                               : before == '[' ? "]]>"
+                               : before == '"' ? "\""
+                                               : "'";
+  return std::string_view(text_).substr(begin, text_.find(end, begin) - begin);
+}
+
 std::vector<Written> XmlFile::parse(const pugi::xml_node& node, const std::string& name,
                                     const char* value) const {
   std::vector<Written> numbers;
-  const std::string_view text = value;
+  const std::string_view text = written(value);
   std::size_t begin = text.find_first_not_of(white_space);
   while (begin != std::string_view::npos) {
     const std::size_t end = std::min(text.find_first_of(white_space, begin), text.size());
@@ -109,7 +146,7 @@ std::vector<Written> XmlFile::parse(const pugi::xml_node& node, const std::strin
       throw bad(node, fmt::format("{} is '{}', which is not a number", name, word),
                 remedy_for(word));
     }
-    const auto at = static_cast<std::size_t>(word.data() - parsed_.data());
+    const auto at = static_cast<std::size_t>(word.data() - text_.data());
     numbers.push_back({*number, resolution_of(word), Span{at, word.size()}});
     begin = text.find_first_not_of(white_space, end);
   }

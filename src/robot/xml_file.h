@@ -18,7 +18,8 @@ namespace twrench::robot {
 /// An XML file whose values know their place in its bytes.
 class XmlFile {
  public:
-  /// Throws system::FileError if the file cannot be read, is longer than 64 MiB, or is damaged.
+  /// Throws system::FileError if the file cannot be read, is longer than 64 MiB, or is damaged, and
+  /// InvalidArgument if elements are nested more than 1000 deep.
   explicit XmlFile(const std::filesystem::path& file);
   XmlFile(const XmlFile&) = delete;
   XmlFile& operator=(const XmlFile&) = delete;
@@ -57,6 +58,9 @@ class XmlFile {
   std::optional<Span> span_of(const pugi::xml_node& node, const char* attribute) const;
 
  private:
+  /// Returns the bytes of the file from which the parser made the value: it replaces references,
+  /// and line ends of two bytes by those of one.
+  std::string_view written(const char* value) const;
   std::vector<Written> parse(const pugi::xml_node& node, const std::string& name,
                              const char* value) const;
   std::vector<Written> exactly(std::vector<Written> numbers, const pugi::xml_node& node,

@@ -63,6 +63,16 @@ TEST(Urdf, PlacesAreThoseOfTheFileBehindReferencesAndAByteOrderMark) {
   EXPECT_EQ(robot.text.substr(place.begin, place.size), "2.50");
 }
 
+TEST(Urdf, PlacesAreThoseOfTheFileInAttributesOfSeveralLines) {
+  const Robot robot =
+      RobotFile(robot_of(link_of("<inertial><origin xyz='1\r\n2\r\n-0.5'/>"
+                                 "<mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' "
+                                 "iyz='0' izz='1'/></inertial>")))
+          .read();
+  const Span place = *robot.link("arm").inertial->centre[2].place;
+  EXPECT_EQ(robot.text.substr(place.begin, place.size), "-0.5");
+}
+
 TEST(Urdf, ReadsGeometries) {
   const Robot robot =
       RobotFile(
@@ -105,6 +115,14 @@ TEST(Urdf, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal(robot_of("")), HasSubstr("it has no links"));
   EXPECT_THAT(refusal("<a/>"), HasSubstr("5 cannot read"));
   EXPECT_THAT(refusal("<robot><link name='a'>"), HasSubstr("cut off or damaged"));
+  EXPECT_THAT(refusal("<!DOCTYPE robot [<!ENTITY a 'xx'><!ENTITY b '&a;&a;'>]>" +
+                      robot_of(link_of("<inertial><mass value='&b;'/><inertia/></inertial>"))),
+              HasSubstr("value is '&b;', which is not a number"));
+  std::string nested = "<robot>";
+  for (int i = 0; i < 100'000; ++i) nested += "<a>";
+  for (int i = 0; i < 100'000; ++i) nested += "</a>";
+  EXPECT_THAT(refusal(nested + "</robot>"),
+              HasSubstr("robot.urdf:1: a: elements are nested more than 1000 deep"));
   EXPECT_THAT(refusal(robot_of("<xacro:property name='x'/>")), HasSubstr("run xacro first"));
   EXPECT_THAT(refusal(robot_of(link_of("<inertial><mass value='0,5'/><inertia/></inertial>"))),
               HasSubstr("value is '0,5', which is not a number; write 0.5"));
