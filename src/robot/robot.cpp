@@ -25,6 +25,10 @@ void read_format(const XmlFile& file, Robot& robot) {
     robot.format = Format::urdf;
     return read_urdf(file, robot);
   }
+  if (root == "sdf" || root == "gazebo") {
+    robot.format = Format::sdf;
+    return read_sdf(file, robot);
+  }
   throw system::FileError(fmt::format("cannot read {}", file.path().string()),
                           fmt::format("its root element is <{}>", root),
                           "URDF has <robot>, SDF has <sdf>, MJCF has <mujoco>");
@@ -48,6 +52,13 @@ Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
           Eigen::AngleAxisd(rpy[1], Eigen::Vector3d::UnitY()) *
           Eigen::AngleAxisd(rpy[0], Eigen::Vector3d::UnitX()))
       .toRotationMatrix();
+}
+
+Eigen::Matrix3d rotation_from_quaternion(const XmlFile& file, const pugi::xml_node& node,
+                                         const Eigen::Quaterniond& quaternion) {
+  const double norm = quaternion.norm();
+  if (norm > 0.0 && std::isfinite(norm)) return quaternion.normalized().toRotationMatrix();
+  throw file.bad(node, "its quaternion is zero or not finite", "give one of length 1");
 }
 
 double length_in_cm(const XmlFile& file, const pugi::xml_node& node, double metres) {
