@@ -28,5 +28,6 @@ double length_in_cm(const XmlFile& file, const pugi::xml_node& node, double metr
 
 void read_urdf(const XmlFile& file, Robot& robot);
 void read_sdf(const XmlFile& file, Robot& robot);
+void read_mjcf(const XmlFile& file, Robot& robot);
 
 }  // namespace twrench::robot

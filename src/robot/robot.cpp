@@ -29,6 +29,10 @@ void read_format(const XmlFile& file, Robot& robot) {
     robot.format = Format::sdf;
     return read_sdf(file, robot);
   }
+  if (root == "mujoco") {
+    robot.format = Format::mjcf;
+    return read_mjcf(file, robot);
+  }
   throw system::FileError(fmt::format("cannot read {}", file.path().string()),
                           fmt::format("its root element is <{}>", root),
                           "URDF has <robot>, SDF has <sdf>, MJCF has <mujoco>");
