@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/compiled.h"
 #include "robot/experiments.h"
 
 namespace twrench::robot {
@@ -194,6 +195,17 @@ Diagnosis judge(const Robot& robot, std::size_t index,
   return diagnosis;
 }
 
+/// Mass properties that a simulator computes from the geometry cannot be wrong.
+Diagnosis diagnosis_of_geometry(const std::optional<LinkMass>& body) {
+  Diagnosis diagnosis;
+  if (!body || !(body->mass > 0.0)) return diagnosis;
+  diagnosis.verdict = Verdict::good;
+  diagnosis.body = *body;
+  diagnosis.moments = principal_moments(body->inertia);
+  diagnosis.agreement = Agreement{"its geometry, by which the file defines them"};
+  return diagnosis;
+}
+
 }  // namespace
 
 Matrix3d second_moments(const Matrix3d& inertia) {
@@ -215,10 +227,17 @@ JudgedRobot judge_robot(const std::filesystem::path& file,
   for (const Link& link : judged.robot.links) {
     judged.geometries.emplace_back(link, meshes);
     for (const std::string& problem : judged.geometries.back().problems())
-      judged.notes.push_back(fmt::format("link '{}': {}", link.name, problem));
+      judged.notes.push_back(
+          fmt::format("{}:{}: link '{}': {}", file.string(), link.line, link.name, problem));
   }
-  for (std::size_t i = 0; i < judged.robot.links.size(); ++i)
-    judged.diagnoses.push_back(judge(judged.robot, i, judged.geometries));
+  const std::vector<std::optional<LinkMass>> bodies = compiled(judged.robot, judged.geometries);
+  for (std::size_t i = 0; i < judged.robot.links.size(); ++i) {
+    judged.diagnoses.push_back(judged.robot.links[i].is_from_geometry
+                                   ? diagnosis_of_geometry(bodies[i])
+                                   : judge(judged.robot, i, judged.geometries));
+  }
+  const std::vector<std::string> hidden = hidden_faults(judged.robot);
+  judged.notes.insert(judged.notes.end(), hidden.begin(), hidden.end());
   judged.files = meshes.files();
   judged.files.insert(judged.files.end(), judged.robot.others.begin(), judged.robot.others.end());
   return judged;

@@ -105,7 +105,7 @@ struct JudgedRobot {
   std::vector<Diagnosis> diagnoses;
   /// The other files that were read: meshes, and those that the description includes.
   std::vector<std::filesystem::path> files;
-  /// What was not read, one line each.
+  /// What was not read, one line each, beginning with the place.
   std::vector<std::string> notes;
 };
 

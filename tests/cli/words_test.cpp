@@ -99,7 +99,7 @@ std::multiset<std::string> described_options(const std::string& help) {
 TEST(Help, OfALongCommandDescribesTenOptionsAndNamesTheOthers) {
   const ScratchFolder folder;
   for (const std::string command :
-       {"render", "export", "page", "plot", "study", "check", "simulate"}) {
+       {"render", "export", "page", "plot", "report", "study", "check", "simulate"}) {
     const std::string help = run_twrench(folder, command + " --help").out;
     const Outcome all = run_twrench(folder, command + " --help-all");
     EXPECT_EQ(all.code, 0) << all.err;
@@ -116,7 +116,7 @@ TEST(Help, OfALongCommandDescribesTenOptionsAndNamesTheOthers) {
 
 TEST(Help, OfAShortCommandDescribesEachOption) {
   const ScratchFolder folder;
-  for (const std::string command : {"report", "encode", "compare", "schema"}) {
+  for (const std::string command : {"encode", "compare", "schema"}) {
     const std::string help = run_twrench(folder, command + " --help").out;
     EXPECT_THAT(help, Not(HasSubstr("Most used"))) << command;
     EXPECT_THAT(help, HasSubstr("\nOptions:\n")) << command;

@@ -254,6 +254,7 @@ Described describe_link(const InertiaOptions& options, system::FileList& files) 
   const std::string& file = options.scene.sources().front();
   const RobotOptions& robot_options = options.scene.robot_options();
   options.scene.require_no_overrides(file);
+  options.scene.mesh_options().require_none();
   const robot::JudgedRobot judged = robot_options.read(file);
   files.add_input(file);
   for (const std::filesystem::path& other : judged.files) files.add_input(other);
@@ -287,6 +288,7 @@ Described describe(const InertiaOptions& options, system::FileList& files) {
   }
   files.add_input(name);
   options.scene.require_no_overrides(name);
+  options.scene.robot_options().require_none();
   MeshBody mesh = options.scene.mesh_options().read(name);
   for (const auto& other : mesh.file.others) files.add_input(other);
   return {.kind = "mesh",
@@ -337,8 +339,8 @@ void add_inertia(CLI::App& app, ExitCode& code) {
       "inertia",
       "Print mass, centre of mass, inertia matrix, principal moments and axes, geometric phase");
   command->footer(
-      "Examples: twrench inertia bracket.stl --unit mm --density 7.8\n"
-      "          twrench inertia robot.urdf --fix repaired.urdf\n"
+      "Example: twrench inertia bracket.stl --unit mm --density 7.8\n"
+      "Example: twrench inertia robot.urdf --fix repaired.urdf\n"
       "Exit code 1: a link of the robot has mass properties that no body has.");
   const auto options = std::make_shared<InertiaOptions>(*command);
   command->add_flag("--si", options->is_si, "print kg, m and kg m^2 instead of g, cm and g cm^2")
@@ -351,6 +353,7 @@ void add_inertia(CLI::App& app, ExitCode& code) {
   command->callback([options, &code] {
     if (!is_whole_robot(*options)) return print_body(*options);
     options->scene.require_no_overrides(options->scene.sources().front());
+    options->scene.mesh_options().require_none();
     code = judge_robot(options->scene.sources().front(), options->scene.robot_options(),
                        options->repair, options->output);
   });

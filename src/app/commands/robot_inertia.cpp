@@ -52,7 +52,7 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
     fixed_file = files.add_output(system::robot_file, repair_options.fixed_file,
                                   enumerator_name(judged.robot.format));
   for (const std::string& note : judged.notes)
-    warn(file + ": " + with_arguments(note, option_text));
+    warn(with_arguments(note, option_text));
   if (fixed_file) {
     const robot::Repair repair = robot::repair(judged, repair_options.from_mesh);
     system::write_output(*fixed_file, repair.text);

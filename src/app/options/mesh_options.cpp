@@ -68,7 +68,7 @@ MeshOptions::MeshOptions(CLI::App& command) : command_(command) {
 void MeshOptions::require_none() const {
   for (const char* option : mesh_option_names) {
     if (command_.count(option) == 0) continue;
-    throw InvalidArgument(option, "is for a mesh, and this is a scene",
+    throw InvalidArgument(option, "is for a mesh, and this is none",
                           "name a file that ends in .obj, .stl, .ply, .gltf or .glb");
   }
 }

@@ -270,8 +270,7 @@ SceneOptions::Loaded SceneOptions::load(const std::string& name) const {
   if (mesh::is_mesh_name(name)) return {mesh_.scene(name)};
   if (robot::is_robot_name(name)) {
     robot::JudgedRobot judged = robot_.read(name);
-    for (const std::string& note : judged.notes)
-      warn(name + ": " + with_arguments(note, option_text));
+    for (const std::string& note : judged.notes) warn(with_arguments(note, option_text));
     return {.original = scene::link_scene(judged, robot_.index(judged.robot)),
             .robot_files = std::move(judged.files)};
   }

@@ -1,0 +1,130 @@
+// `twrench` on the links of robot descriptions.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/twrench.h"
+
+namespace twrench {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class RobotFile : public testing::Test {
+ protected:
+  RobotFile() { write("arm.urdf", arm); }
+
+  void write(const std::string& name, const std::string& text) {
+    system::write_file_atomically(folder_ / name, text);
+  }
+
+  Outcome run(const std::string& arguments) { return run_twrench(folder_, arguments); }
+
+  // A box, a rod whose products of inertia have the other sign, a link that no body has, one whose
+  // mesh is missing, and a frame.
+  const std::string arm =
+      "<robot name=\"arm\">\n"
+      "<link name=\"box\"><inertial><mass value=\"12\"/>"
+      "<inertia ixx=\"13\" ixy=\"0\" ixz=\"0\" iyy=\"10\" iyz=\"0\" izz=\"5\"/></inertial>"
+      "<visual><geometry><box size=\"1 2 3\"/></geometry></visual></link>\n"
+      "<link name=\"rod\"><inertial><mass value=\"12\"/>\n"
+      "<inertia ixx=\"11.5\"  ixy='1.5' ixz=\"0.0\" iyy=\"11.5\" iyz=\"0\" izz=\"5\"/></inertial>"
+      "<visual><origin rpy=\"0 0 -0.7853981633974483\"/>"
+      "<geometry><box size=\"1 2 3\"/></geometry></visual></link>\n"
+      "<link name=\"flat\"><inertial><mass value=\"1\"/>"
+      "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"3\"/></inertial></link>\n"
+      "<link name=\"lost\"><visual><geometry><mesh filename=\"package://a/b.stl\"/></geometry>"
+      "</visual></link>\n"
+      "</robot>\n";
+  ScratchFolder folder_;
+};
+
+TEST_F(RobotFile, IsJudgedLinkByLinkTheWorstFirst) {
+  const Outcome text = run("inertia arm.urdf");
+  EXPECT_EQ(text.code, 1) << text.err;
+  EXPECT_THAT(text.out, StartsWith("URDF arm, 4 links: 1 impossible, 1 doubtful, 1 good, 1 "));
+  EXPECT_LT(text.out.find("\nflat "), text.out.find("\nrod "));
+  EXPECT_LT(text.out.find("\nrod "), text.out.find("\nbox "));
+  EXPECT_THAT(text.out, HasSubstr("  the products of inertia have the other sign: without this the "
+                                  "moments are those of its visual geometry to"));
+  EXPECT_THAT(text.err, HasSubstr("arm.urdf:6: link 'lost': its mesh package://a/b.stl was not "
+                                  "found; name the folder that contains its package: "
+                                  "--package-path DIR"));
+}
+
+TEST_F(RobotFile, IsJudgedForPrograms) {
+  const json found = json::parse(run("inertia arm.urdf --format json").out);
+  EXPECT_EQ(found["counts"]["impossible"], 1);
+  EXPECT_EQ(found["links"][0]["name"], "flat");
+  EXPECT_EQ(found["links"][0]["faults"][0]["fault"], "triangle");
+  EXPECT_EQ(found["links"][1]["mistakes"][0]["fault"], "products_sign");
+  const Outcome junit = run("inertia arm.urdf -o result.xml");
+  EXPECT_EQ(junit.code, 1);
+  EXPECT_THAT(text_of(folder_ / "result.xml"),
+              AllOf(HasSubstr("tests=\"4\" failures=\"1\""),
+                    HasSubstr("<failure type=\"impossible\" message=\"impossible: the greatest")));
+  // Its own result may be replaced.
+  EXPECT_EQ(run("inertia arm.urdf -o result.xml").code, 1);
+}
+
+TEST_F(RobotFile, HasLinksThatAreBodies) {
+  const json link = json::parse(run("inertia arm.urdf --link box --si --format json").out);
+  EXPECT_EQ(link["mass"], 12);
+  EXPECT_EQ(link["principal_moments"], json({5, 10, 13}));
+  const Outcome motion = run("simulate arm.urdf --link box --times 0,1 --format json");
+  EXPECT_EQ(motion.code, 0) << motion.err;
+  const Outcome frame =
+      run("render arm.urdf --link rod --show inertia --length 0.1 --size 64x36 "
+          "--frames-dir f --no-video");
+  EXPECT_EQ(frame.code, 0) << frame.err;
+  EXPECT_THAT(run("render arm.urdf -o v.mp4").err,
+              HasSubstr("--link NAME, which is one of box, rod, flat, lost"));
+  EXPECT_THAT(run("render arm.urdf --link bx -o v.mp4").err, HasSubstr("did you mean 'box'"));
+  EXPECT_THAT(run("inertia arm.urdf --link lost").err,
+              HasSubstr("link 'lost': it has no mass properties"));
+}
+
+TEST_F(RobotFile, IsRepairedByteForByteElsewhere) {
+  const Outcome fix = run("inertia arm.urdf --fix fixed.urdf -o report.txt");
+  EXPECT_EQ(fix.code, 1);
+  EXPECT_THAT(fix.err, AllOf(HasSubstr("rod: the products of inertia have the other sign: moments"),
+                             HasSubstr("flat: the greatest principal moment, 3 kg m^2, exceeds"),
+                             HasSubstr("2 links repaired, 0 not; wrote fixed.urdf")));
+  // Three numbers differ, and nothing else.
+  std::string expected = arm;
+  const auto replace = [&](const std::string& old, const std::string& text) {
+    expected.replace(expected.find(old), old.size(), text);
+  };
+  replace("'1.5'", "'-1.5'");
+  replace("ixx=\"1\"", "ixx=\"1.500003\"");
+  replace("iyy=\"1\"", "iyy=\"1.500003\"");
+  EXPECT_EQ(text_of(folder_ / "fixed.urdf"), expected);
+  EXPECT_EQ(run("inertia fixed.urdf").code, 0);
+  // Neither the input nor another file is replaced.
+  EXPECT_EQ(run("inertia arm.urdf --fix arm.urdf").code, 2);
+  EXPECT_EQ(run("inertia arm.urdf --fix fixed.urdf").code, 5);
+  EXPECT_EQ(run("inertia arm.urdf --fix fixed.urdf --overwrite").code, 1);
+  EXPECT_EQ(run("inertia arm.urdf --fix fixed.sdf").code, 2);
+  EXPECT_EQ(text_of(folder_ / "arm.urdf"), arm);
+}
+
+TEST_F(RobotFile, RefusesOptionsThatHaveNoMeaning) {
+  EXPECT_THAT(run("inertia arm.urdf --from-mesh").err, HasSubstr("add --fix FILE"));
+  EXPECT_THAT(run("inertia phone --fix a.urdf").err, HasSubstr("--fix: is for the links"));
+  EXPECT_THAT(run("inertia phone --format junit").err, HasSubstr("is for the links"));
+  EXPECT_THAT(run("inertia phone --link a").err, HasSubstr("--link: is for a robot description"));
+  EXPECT_THAT(run("inertia arm.urdf --inertia 1,2,3").err, HasSubstr("arm.urdf: only the values"));
+  for (const char* words : {"inertia arm.urdf --from-mesh", "inertia phone --fix a.urdf",
+                            "inertia phone --format junit", "inertia phone --link a",
+                            "inertia arm.urdf --inertia 1,2,3", "inertia arm.urdf --unit mm"}) {
+    EXPECT_EQ(run(words).code, 2) << words;
+  }
+}
+
+}  // namespace
+}  // namespace twrench
