@@ -202,10 +202,11 @@ void MjcfReader::set_mass(const Attributes& geom, Geometry& geometry) {
     throw geom.own().bad("its mass or density is negative", "masses are positive");
 }
 
-/// Returns whether the geom is in one of the groups that make up the mass of their body.
+/// Returns whether the geom has a mass and is in one of the groups that make up the mass of bodies.
 bool MjcfReader::counts(const Attributes& geom) const {
   const double group = geom.number("group").value_or(0.0);
-  return group >= compiler_.groups[0] && group <= compiler_.groups[1];
+  const double mass = geom.number("mass").value_or(geom.number("density").value_or(1.0));
+  return mass != 0.0 && group >= compiler_.groups[0] && group <= compiler_.groups[1];
 }
 
 std::string MjcfReader::name_of_body(const Element& element) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/words.h"
 
@@ -15,6 +16,16 @@ namespace fs = std::filesystem;
 
 /// Readers visit nested elements recursively.
 constexpr std::size_t deepest_include = 1000;
+
+/// Adds the attributes of the element. A rotation replaces one of another kind.
+void add_attributes(const Element& element, AttributeMap& attributes) {
+  constexpr std::array<std::string_view, 4> rotations{"axisangle", "xyaxes", "zaxis", "euler"};
+  for (const pugi::xml_attribute& attribute : element.node.attributes()) {
+    if (std::ranges::find(rotations, attribute.name()) != rotations.end())
+      for (const std::string_view rotation : rotations) attributes.erase(std::string(rotation));
+    attributes.insert_or_assign(attribute.name(), element);
+  }
+}
 
 std::size_t depth_of(pugi::xml_node node) {
   std::size_t depth = 0;
@@ -90,9 +101,7 @@ void MjcfDefaults::read_into(MjcfDocument& document, const Element& section,
     if (element.name() == "default") nested.push_back(element);
     const bool is_geom = element.name() == "geom";
     if (!is_geom && element.name() != "mesh") continue;
-    AttributeMap& attributes = is_geom ? own.geom : own.mesh;
-    for (const pugi::xml_attribute& attribute : element.node.attributes())
-      attributes.insert_or_assign(attribute.name(), element);
+    add_attributes(element, is_geom ? own.geom : own.mesh);
     if (is_geom) read_size(element, own.geom_size);
   }
   for (const Element& element : nested) {
