@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in tests/fuzz (manifest, png, range,
-# scene, table) with ASan and UBSan, starting from the saved corpus. New inputs go to
+# fuzz.sh TARGET SECONDS: runs libFuzzer on one of the targets in tests/fuzz (manifest, mesh, png, range,
+# robot, scene, table) with ASan and UBSan, starting from the saved corpus. New inputs go to
 # build/fuzz/corpus/TARGET; an input that causes a failure is saved in build/fuzz and belongs in
 # tests/fuzz/corpus once fixed. Needs clang-14 (scripts/maintain/setup.sh tidy installs it).
 set -euo pipefail

@@ -49,6 +49,24 @@ void require_distinct_names(const Robot& robot) {
   }
 }
 
+Robot robot_of(const XmlFile& file) {
+  const std::filesystem::path& path = file.path();
+  if (uses_xacro(file)) {
+    throw system::FileError(fmt::format("cannot read {}", path.string()),
+                            "it has macros of xacro, which are not expanded",
+                            "run xacro first: xacro FILE > robot.urdf");
+  }
+  Robot robot;
+  robot.file = path;
+  robot.text = file.text();
+  robot.mesh_folder = path.parent_path();
+  read_format(file, robot);
+  if (robot.links.empty())
+    throw InvalidArgument(path.string(), "it has no links", "give the description of a robot");
+  require_distinct_names(robot);
+  return robot;
+}
+
 }  // namespace
 
 Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
@@ -103,23 +121,10 @@ bool is_robot_name(const std::filesystem::path& file) {
   return std::ranges::find(endings, ending) != endings.end();
 }
 
-Robot read_robot(const std::filesystem::path& path) {
-  const XmlFile file(path);
-  if (uses_xacro(file)) {
-    throw system::FileError(fmt::format("cannot read {}", path.string()),
-                            "it has macros of xacro, which are not expanded",
-                            "run xacro first: xacro FILE > robot.urdf");
-  }
-  Robot robot;
-  robot.file = path;
-  robot.text = file.text();
-  robot.mesh_folder = path.parent_path();
-  read_format(file, robot);
-  if (robot.links.empty()) {
-    throw InvalidArgument(path.string(), "it has no links", "give the description of a robot");
-  }
-  require_distinct_names(robot);
-  return robot;
+Robot read_robot(const std::filesystem::path& path) { return robot_of(XmlFile(path)); }
+
+Robot read_robot(std::string text, const std::filesystem::path& path) {
+  return robot_of(XmlFile(std::move(text), path));
 }
 
 }  // namespace twrench::robot

@@ -154,4 +154,7 @@ bool is_robot_name(const std::filesystem::path& file);
 /// longer than 64 MiB, or is another kind of file, such as a xacro macro.
 Robot read_robot(const std::filesystem::path& file);
 
+/// The same with the bytes of the file, beside which other files are looked for.
+Robot read_robot(std::string text, const std::filesystem::path& file);
+
 }  // namespace twrench::robot

@@ -63,6 +63,11 @@ pugi::xml_node nested_too_deeply(const pugi::xml_document& document) {
   }
 }
 
+std::string text_of_file(const std::filesystem::path& file) {
+  const std::vector<std::uint8_t> bytes = system::read_regular_file(file, most_bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
 std::string remedy_for(std::string_view word) {
   const std::size_t comma = word.find(',');
   if (comma == std::string_view::npos) return "write numbers such as 0.5 or 1e-3";
@@ -74,9 +79,10 @@ std::string remedy_for(std::string_view word) {
 
 }  // namespace
 
-XmlFile::XmlFile(const std::filesystem::path& file) : path_(file) {
-  const std::vector<std::uint8_t> bytes = system::read_regular_file(file, most_bytes);
-  text_.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+XmlFile::XmlFile(const std::filesystem::path& file) : XmlFile(text_of_file(file), file) {}
+
+XmlFile::XmlFile(std::string text, const std::filesystem::path& file)
+    : path_(file), text_(std::move(text)) {
   const std::string what = "cannot read " + file.string();
   if (const auto kind = system::recognized_file_kind(text_);
       kind && text_.find("<") == std::string::npos) {

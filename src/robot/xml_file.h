@@ -21,6 +21,8 @@ class XmlFile {
   /// Throws system::FileError if the file cannot be read, is longer than 64 MiB, or is damaged, and
   /// InvalidArgument if elements are nested more than 1000 deep.
   explicit XmlFile(const std::filesystem::path& file);
+  /// The same with the bytes of the file.
+  XmlFile(std::string text, const std::filesystem::path& file);
   XmlFile(const XmlFile&) = delete;
   XmlFile& operator=(const XmlFile&) = delete;
 
