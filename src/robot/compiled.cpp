@@ -45,7 +45,7 @@ void change(const CompilerSettings& settings, Principal principal, LinkMass& bod
 
 /// The properties of a link before settotalmass scales them.
 std::optional<LinkMass> unscaled(const Link& link, const LinkGeometry& geometry,
-                                 const CompilerSettings& settings) {
+                                 const std::optional<CompilerSettings>& settings) {
   LinkMass body;
   Principal principal;
   if (link.is_from_geometry) {
@@ -58,7 +58,7 @@ std::optional<LinkMass> unscaled(const Link& link, const LinkGeometry& geometry,
     principal = principal_of(inertial->matrix());
     principal.axes = inertial->link_from_inertial * principal.axes;
   }
-  change(settings, principal, body);
+  if (settings) change(*settings, principal, body);
   return body;
 }
 
@@ -66,11 +66,12 @@ std::optional<std::string> hidden_fault(const Inertial& inertial,
                                         const CompilerSettings& settings) {
   if (!inertial.matrix().allFinite()) return std::nullopt;
   const Vector3d moments = principal_of(inertial.matrix()).moments;
-  if (inertial.mass.value < settings.least_mass) {
+  // Without the settings, MuJoCo raises negative values to 0, but the judgement names them anyway.
+  if (settings.least_mass > 0.0 && inertial.mass.value < settings.least_mass) {
     return fmt::format("boundmass raises the mass from {} kg to {} kg", inertial.mass.value,
                        settings.least_mass);
   }
-  if (moments.minCoeff() < settings.least_moment) {
+  if (settings.least_moment > 0.0 && moments.minCoeff() < settings.least_moment) {
     return fmt::format("boundinertia raises the moment {:.4g} kg m^2 to {} kg m^2",
                        moments.minCoeff(), settings.least_moment);
   }
@@ -90,31 +91,32 @@ std::vector<std::optional<LinkMass>> compiled(const Robot& robot,
   std::vector<std::optional<LinkMass>> bodies;
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     bodies.push_back(unscaled(robot.links[i], geometries[i], robot.compiler));
-  if (!robot.compiler.total_mass) return bodies;
+  if (!robot.compiler || !robot.compiler->total_mass) return bodies;
   double total = 0.0;
   for (const auto& body : bodies) {
     if (!body) return std::vector<std::optional<LinkMass>>(bodies.size());
     total += body->mass;
   }
   if (total == 0.0) return bodies;
-  const double factor = *robot.compiler.total_mass / total;
+  const double factor = *robot.compiler->total_mass / total;
   for (auto& body : bodies) body->mass *= factor, body->inertia *= factor;
   return bodies;
 }
 
 std::vector<std::string> hidden_faults(const Robot& robot) {
   std::vector<std::string> lines;
+  if (!robot.compiler) return lines;
   for (const Link& link : robot.links) {
     if (!link.inertial || link.is_from_geometry) continue;
-    const auto fault = hidden_fault(*link.inertial, robot.compiler);
+    const auto fault = hidden_fault(*link.inertial, *robot.compiler);
     if (!fault) continue;
     lines.push_back(fmt::format("{}:{}: body '{}': {}", robot.file.string(), link.inertial->line,
                                 link.name, *fault));
   }
-  if (robot.compiler.total_mass) {
+  if (robot.compiler->total_mass) {
     lines.push_back(
         fmt::format("{}: settotalmass scales all masses and moments to a total of {} kg",
-                    robot.file.string(), *robot.compiler.total_mass));
+                    robot.file.string(), *robot.compiler->total_mass));
   }
   return lines;
 }

@@ -24,7 +24,7 @@ class MjcfReader {
   void read();
 
  private:
-  /// What applies to the elements in an element.
+  /// The surroundings of an element.
   struct Scope {
     std::size_t link;
     /// Whether it is a body, not the world.
@@ -33,7 +33,7 @@ class MjcfReader {
     Eigen::Isometry3d body_from_frame = Eigen::Isometry3d::Identity();
   };
 
-  /// What was found in a body.
+  /// The geoms and the inertial of a body.
   struct Contents {
     std::vector<MjcfGeom> geoms = {};
     std::optional<Inertial> inertial = {};

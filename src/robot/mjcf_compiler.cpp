@@ -134,7 +134,7 @@ void read_compiler(const Element& element, MjcfCompiler& compiler,
   settings.total_mass = total > 0.0 ? std::optional(total) : std::nullopt;
   if (node.attribute("coordinate") &&
       choice(element, "coordinate", {"local", "global"}) == "global") {
-    throw element.bad("coordinate is 'global', which MuJoCo has not read since version 2.3.4",
+    throw element.bad("coordinate is 'global', but MuJoCo reads only 'local' since version 2.3.4",
                       "convert the file with MuJoCo 2.3.3");
   }
   bool fuses = false;

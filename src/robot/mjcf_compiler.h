@@ -28,8 +28,8 @@ struct MjcfCompiler {
   CompilerSettings settings = {};
 };
 
-/// Reads a <compiler>, which replaces what was read before as far as it has attributes. Adds notes.
-/// Throws InvalidArgument about a value that MJCF does not have.
+/// Reads a <compiler>. Its attributes replace those of earlier ones. Adds notes. Throws
+/// InvalidArgument about a value that is not one of MJCF's.
 void read_compiler(const Element& element, MjcfCompiler& compiler, std::vector<std::string>& notes);
 
 /// Returns the rotation that the attributes `quat`, `axisangle`, `xyaxes`, `zaxis` or `euler`

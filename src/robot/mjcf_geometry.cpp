@@ -117,7 +117,7 @@ void read_mjcf_mesh(const Element& element, const MjcfDefaults& defaults,
   mesh.is_shell = attributes.text("inertia") == "shell";
   const Vector3d scale = attributes.vector("scale").value_or(Vector3d::Ones());
   if (file.empty()) {
-    note("is ignored, because its vertices are not in a file of their own");
+    note("is ignored, because it names no mesh file");
   } else if (!place(attributes, scale, mesh.geom_from_mesh)) {
     note("is ignored, because it has both refquat and different scales along its axes");
   } else {

@@ -24,7 +24,7 @@ struct MjcfMesh {
 /// The meshes of an MJCF file, by name.
 using MjcfMeshes = std::map<std::string, MjcfMesh>;
 
-/// Reads a <mesh> of the section <asset>. Adds a note about one that is not in a file of its own.
+/// Reads a <mesh> of the section <asset>. Adds a note about one that is not in a mesh file.
 void read_mjcf_mesh(const Element& element, const MjcfDefaults& defaults,
                     const MjcfCompiler& compiler, MjcfMeshes& meshes,
                     std::vector<std::string>& notes);

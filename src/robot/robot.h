@@ -77,13 +77,13 @@ struct MeshReference {
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
 };
 
-/// A shape that is not read, such as a height field; the notes of the robot name it.
+/// A shape that is not read, such as a height field. The notes of the robot name it.
 struct UnknownShape {};
 
 /// A solid or a surface that belongs to a link.
 struct Geometry {
-  /// What the geometry is for. In MJCF, a geom that collides with nothing is visual, except in a
-  /// body whose mass properties are those of its geoms: they all count as collision.
+  /// The purpose of a geometry. In MJCF, geoms that collide with nothing are visual, except in a
+  /// body whose mass properties are those of its geoms: all of them count as collision.
   enum class Use { visual, collision };
 
   Use use = Use::visual;
@@ -135,7 +135,8 @@ struct Robot {
   std::string text;
   /// The folder in which meshes without a scheme are looked for.
   std::filesystem::path mesh_folder;
-  CompilerSettings compiler = {};
+  /// Nothing for formats other than MJCF.
+  std::optional<CompilerSettings> compiler = {};
   /// What was not understood or not used, one line each.
   std::vector<std::string> notes = {};
   /// Other files that belong to it.

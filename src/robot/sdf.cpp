@@ -135,8 +135,7 @@ void SdfReader::read_link(const pugi::xml_node& node, const std::string& prefix)
     link.inertial->mass = {1.0};
     for (const Entry entry : {xx, yy, zz}) link.inertial->entries[entry] = {1.0};
     link.inertial->line = link.line;
-    note(node, fmt::format("link '{}' has no <inertial>, for which SDF assumes 1 kg and moments of "
-                           "1 kg m^2",
+    note(node, fmt::format("link '{}' has no <inertial>: SDF assumes 1 kg and moments of 1 kg m^2",
                            link.name));
   }
   robot_.links.push_back(std::move(link));
@@ -149,7 +148,7 @@ void SdfReader::read_inertial(const pugi::xml_node& node, Link& link) {
     return;
   }
   if (node.child("mass")) {
-    note(node, "its <mass>, to which SDF 1.12 scales the automatic mass, is not used");
+    note(node, "its <mass> is ignored: SDF 1.12 would scale the automatic mass to it");
   }
   link.is_from_geometry = true;
   const pugi::xml_node density = node.child("density");
@@ -171,7 +170,7 @@ Inertial SdfReader::inertial_of(const pugi::xml_node& node) {
   inertial.centre = position;
   inertial.mass = mass ? file_.numbers(mass, 1).front() : Written{1.0};
   const pugi::xml_node inertia = node.child("inertia");
-  if (!inertia) note(node, "it has no <inertia>, for which SDF assumes moments of 1 kg m^2");
+  if (!inertia) note(node, "it has no <inertia>: SDF assumes moments of 1 kg m^2");
   for (const Entry entry : {xx, yy, zz, xy, xz, yz}) {
     const pugi::xml_node element = inertia.child(fmt::format("i{}", entry_names[entry]).c_str());
     const bool is_moment = entry == xx || entry == yy || entry == zz;

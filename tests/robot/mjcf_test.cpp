@@ -109,14 +109,15 @@ TEST(Mjcf, NamesWhatItIgnores) {
       "</asset>\n");
   EXPECT_THAT(
       robot.notes,
-      ElementsAre(HasSubstr("robot.xml:2: compiler: fusestatic is ignored"),
-                  HasSubstr("robot.xml:2: mesh: mesh 'inline' is ignored, because its vertices"),
-                  HasSubstr("robot.xml:3: mesh: mesh 'a' is ignored, because it has both refquat"),
-                  HasSubstr("mesh 'b' counts as it is, not as its convex hull"),
-                  HasSubstr("robot.xml:9: composite: <composite> and the bodies that it makes"),
-                  HasSubstr("robot.xml:10: replicate: <replicate>"), HasSubstr("attach: <attach>"),
-                  HasSubstr("flexcomp: <flexcomp>"), HasSubstr("geom: a hfield is ignored"),
-                  HasSubstr("geom: a box that is fitted to a mesh is ignored")));
+      ElementsAre(
+          HasSubstr("robot.xml:2: compiler: fusestatic is ignored"),
+          HasSubstr("robot.xml:2: mesh: mesh 'inline' is ignored, because it names no mesh file"),
+          HasSubstr("robot.xml:3: mesh: mesh 'a' is ignored, because it has both refquat"),
+          HasSubstr("mesh 'b' counts as it is, not as its convex hull"),
+          HasSubstr("robot.xml:9: composite: <composite> and the bodies that it makes"),
+          HasSubstr("robot.xml:10: replicate: <replicate>"), HasSubstr("attach: <attach>"),
+          HasSubstr("flexcomp: <flexcomp>"), HasSubstr("geom: a hfield is ignored"),
+          HasSubstr("geom: a box that is fitted to a mesh is ignored")));
   Meshes meshes(robot, {});
   const LinkGeometry geometry(robot.links.front(), meshes);
   EXPECT_FALSE(geometry.is_known());
@@ -143,6 +144,21 @@ TEST(Mjcf, ReportsFaultsThatTheCompilerHides) {
   EXPECT_THAT(mjcf(flawed).notes, ElementsAre());
   EXPECT_EQ(mjcf(flawed, "<compiler balanceinertia='true'/>").link("arm").inertial->matrix()(2, 2),
             6.0);
+}
+
+TEST(Mjcf, IsTheOnlyFormatThatIsCompiled) {
+  const RobotFile file(
+      "<sdf><model name='m'><link name='l'><inertial><mass>-1</mass></inertial>"
+      "</link></model></sdf>",
+      "robot.sdf");
+  const auto mass_of = [](const Robot& robot) {
+    Meshes meshes(robot, {});
+    return compiled(robot, {LinkGeometry(robot.links.front(), meshes)}).front()->mass;
+  };
+  EXPECT_EQ(mass_of(file.read()), -1.0);
+  const Robot robot = mjcf(body_of("<inertial pos='0 0 0' mass='-1' diaginertia='1 1 1'/>"));
+  EXPECT_EQ(mass_of(robot), 0.0);
+  EXPECT_THAT(robot.notes, ElementsAre());
 }
 
 TEST(Mjcf, IncludesOtherFilesWithoutBodies) {

@@ -68,10 +68,10 @@ TEST(Sdf, AssumesTheDefaultsOfTheFormat) {
     EXPECT_EQ(robot.link(name).inertial->matrix(), Eigen::Matrix3d::Identity());
   }
   EXPECT_EQ(robot.link("c").inertial->matrix().diagonal(), Eigen::Vector3d(3, 1, 1));
-  EXPECT_THAT(robot.notes,
-              ElementsAre(HasSubstr("robot.sdf:2: link: link 'a' has no <inertial>, for which SDF "
-                                    "assumes 1 kg"),
-                          HasSubstr("robot.sdf:3: inertial: it has no <inertia>")));
+  EXPECT_THAT(
+      robot.notes,
+      ElementsAre(HasSubstr("robot.sdf:2: link: link 'a' has no <inertial>: SDF assumes 1 kg"),
+                  HasSubstr("robot.sdf:3: inertial: it has no <inertia>")));
 }
 
 TEST(Sdf, ReadsQuaternions) {
@@ -143,7 +143,7 @@ TEST(Sdf, NamesGeometriesThatItIgnores) {
   EXPECT_THAT(robot.notes, ElementsAre(HasSubstr("plane: <plane> is ignored"),
                                        HasSubstr("submesh: part 's' of a mesh is ignored"),
                                        HasSubstr("its pose is relative to 'f'"),
-                                       HasSubstr("its <mass>, to which SDF 1.12 scales")));
+                                       HasSubstr("its <mass> is ignored: SDF 1.12 would scale")));
   for (const Geometry& geometry : robot.link("arm").geometries)
     EXPECT_TRUE(std::holds_alternative<UnknownShape>(geometry.shape));
   Meshes meshes(robot, {});
