@@ -29,23 +29,28 @@ scene::Scene first_frame(scene::Scene scene) {
   return scene;
 }
 
-/// The scene reduced to its body and arrows, whose picture adds few bytes to the page.
-scene::Scene poster_scene(scene::Scene scene) {
-  constexpr double longest = 800;
+/// The scene as a film of one frame of that size, whose motion has one step, because only t = 0 is
+/// shown.
+scene::Scene still_scene(scene::Scene scene, double longest) {
   const double scale = longest / std::max(scene.film.width, scene.film.height);
   const auto scaled = [&](int side) {
     return std::max(16, 2 * static_cast<int>(std::lround(scale * side / 2)));
   };
   scene.film.width = scaled(scene.film.width), scene.film.height = scaled(scene.film.height);
+  scene.motion.duration = scene::natural_times(scene).step;
+  return first_frame(std::move(scene));
+}
+
+/// The scene reduced to its body and arrows, whose picture adds few bytes to the page.
+scene::Scene poster_scene(scene::Scene scene) {
+  constexpr double longest = 800;
   using enum scene::Feature;
   scene.overlay.view = scene::View::wrench;
   scene.overlay.show = {floor, momentum, omega};
   scene.overlay.stress.clear();
   scene.overlay.compare.clear();
   scene.overlay.compare_omega.clear(), scene.overlay.compare_wheel.clear();
-  // Only t = 0 is shown, so the motion has one step.
-  scene.motion.duration = scene::natural_times(scene).step;
-  return first_frame(std::move(scene));
+  return still_scene(std::move(scene), longest);
 }
 
 image::Image drawn(gl::Context& context, const scene::Scene& scene) {
@@ -68,9 +73,9 @@ void copy(const image::Image& from, image::Image& to, int x, int y) {
   }
 }
 
-std::string poster_html(gl::Context& context, const scene::Scene& scene) {
+std::string picture_html(gl::Context& context, const scene::Scene& scene) {
   constexpr int quality = 55;
-  const image::Image picture = drawn(context, poster_scene(scene));
+  const image::Image picture = drawn(context, scene);
   return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"{}\">", picture.width,
                      picture.height, jpeg_url(picture, quality));
 }
@@ -105,10 +110,20 @@ std::string stills_html(gl::Context& context, const std::vector<page::Still>& st
 
 }  // namespace
 
+std::vector<std::string> still_pictures(const std::vector<scene::Scene>& scenes,
+                                        const gl::BackendChoice& backend) {
+  constexpr double longest = 480;
+  const gl::OpenedContext opened = gl::open_context(backend);
+  std::vector<std::string> pictures;
+  for (const scene::Scene& scene : scenes)
+    pictures.push_back(picture_html(*opened.context, still_scene(scene, longest)));
+  return pictures;
+}
+
 PagePictures page_pictures(const scene::Scene& scene, bool has_article,
                            const gl::BackendChoice& backend) {
   const gl::OpenedContext opened = gl::open_context(backend);
-  return {poster_html(*opened.context, scene),
+  return {picture_html(*opened.context, poster_scene(scene)),
           stills_html(*opened.context, page::stills_of(scene, has_article))};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "gl/backend.h"
 #include "scene/scene.h"
@@ -15,6 +16,11 @@ struct PagePictures {
   /// All stills of page::stills_of(), one below the other. The page hides it.
   std::string stills;
 };
+
+/// Returns a picture of each scene at t = 0, without text and at most 480 pixels wide, as <img>
+/// elements. Throws GlError.
+std::vector<std::string> still_pictures(const std::vector<scene::Scene>& scenes,
+                                        const gl::BackendChoice& backend);
 
 /// Draws the pictures of a page, with the article or without. Throws GlError.
 PagePictures page_pictures(const scene::Scene& scene, bool has_article,

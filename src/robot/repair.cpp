@@ -165,7 +165,7 @@ Repair repair(const JudgedRobot& judged, bool from_geometry) {
       continue;
     }
     edits.insert(edits.end(), own->begin(), own->end());
-    result.changes.push_back({robot.links[i].name, plan.reason, diagnosis.body, *plan.body});
+    result.changes.push_back({i, robot.links[i].name, plan.reason, diagnosis.body, *plan.body});
   }
   result.text = with_edits(robot.text, std::move(edits));
   return result;

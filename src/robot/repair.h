@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace twrench::robot {
 
 /// A repaired link.
 struct Change {
+  std::size_t index = 0;  ///< Of the link.
   std::string link;
   /// "the products of inertia have the other sign"
   std::string reason;

@@ -30,40 +30,33 @@ std::string_view title_of(Format format) {
 
 /// How many significant digits the moments of a link have.
 int significant_digits(const Inertial& inertial) {
-  double greatest = 0.0, resolution = 0.0;
+  double most = 2.0;
   for (const Written& entry : inertial.entries) {
-    if (std::abs(entry.value) <= greatest || entry.value == 0.0) continue;
-    greatest = std::abs(entry.value);
-    resolution = entry.resolution;
+    const double size = std::abs(entry.value);
+    if (!(size > 0.0) || !std::isfinite(size) || entry.resolution == 0.0) continue;
+    const double last = std::floor(std::log10(2 * entry.resolution));
+    most = std::max(most, std::floor(std::log10(size)) - last + 1.0);
   }
-  if (!(greatest > 0.0) || !(resolution > 0.0) || !std::isfinite(greatest)) return 6;
-  const double digits = std::floor(std::log10(greatest)) - std::floor(std::log10(2 * resolution));
-  return static_cast<int>(std::clamp(digits + 1.0, 2.0, 17.0));
+  return static_cast<int>(std::min(most, 17.0));
 }
 
 std::string list_of(const Eigen::Vector3d& v, int digits) {
   return fmt::format("{:.{}g} {:.{}g} {:.{}g}", v[0], digits, v[1], digits, v[2], digits);
 }
 
-/// The indices of the links, the worst first, otherwise in the order of the file.
-std::vector<std::size_t> worst_first(const JudgedRobot& judged) {
-  std::vector<std::size_t> order(judged.diagnoses.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::greater(),
-                           [&](std::size_t i) { return judged.diagnoses[i].verdict; });
-  return order;
+/// "to 0.02 %"
+std::string within(double misfit) {
+  constexpr double round_off = 1e-9;
+  return misfit < round_off ? "to round-off" : fmt::format("to {:.2g} %", 100 * misfit);
 }
-
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
 
 std::string mistake_text(const Finding& mistake) {
   if (!mistake.misfit) return fmt::format("it would be possible if {}", mistake.text);
   if (!mistake.undone) {
-    return fmt::format("{}: they fit {} to {}", mistake.text, mistake.model,
-                       percent(*mistake.misfit));
+    return fmt::format("{}: they fit {} {}", mistake.text, mistake.model, within(*mistake.misfit));
   }
-  return fmt::format("{}: without this the moments are those of {} to {}", mistake.text,
-                     mistake.model, percent(*mistake.misfit));
+  return fmt::format("{}: without this the moments are those of {} {}", mistake.text, mistake.model,
+                     within(*mistake.misfit));
 }
 
 /// Why a link is not good, one line per reason.
@@ -121,8 +114,8 @@ std::string link_row(const Link& link, const Diagnosis& diagnosis) {
   if (diagnosis.verdict == Verdict::unstated) return row({name, "-", "-", "-", verdict});
   const int digits = link.inertial ? significant_digits(*link.inertial) : 6;
   const std::string remark = diagnosis.agreement
-                                 ? fmt::format("{}: {} to {}", verdict, diagnosis.agreement->model,
-                                               percent(diagnosis.agreement->misfit))
+                                 ? fmt::format("{}: {} {}", verdict, diagnosis.agreement->model,
+                                               within(diagnosis.agreement->misfit))
                                  : verdict;
   return row({name, fmt::format("{:.6g}", diagnosis.body.mass), list_of(diagnosis.body.centre, 6),
               list_of(diagnosis.moments, digits), remark});
@@ -133,6 +126,14 @@ std::string link_row(const Link& link, const Diagnosis& diagnosis) {
 std::size_t count(const JudgedRobot& judged, Verdict verdict) {
   return static_cast<std::size_t>(
       std::ranges::count(judged.diagnoses, verdict, &Diagnosis::verdict));
+}
+
+std::vector<std::size_t> worst_first(const JudgedRobot& judged) {
+  std::vector<std::size_t> order(judged.diagnoses.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](std::size_t i) { return judged.diagnoses[i].verdict; });
+  return order;
 }
 
 std::string verdict_text(const Diagnosis& diagnosis) {
@@ -204,10 +205,12 @@ std::string robot_junit(const JudgedRobot& judged) {
 std::string repair_text(const Repair& repair, const ArgumentWording& wording) {
   std::string text;
   for (const Change& change : repair.changes) {
-    text += fmt::format("{}: {}: moments {} -> {} kg m^2\n", text::escape(change.link),
-                        text::escape(change.reason),
-                        list_of(principal_moments(change.before.inertia), 6),
-                        list_of(principal_moments(change.after.inertia), 6));
+    const Eigen::Vector3d before = principal_moments(change.before.inertia);
+    const Eigen::Vector3d after = principal_moments(change.after.inertia);
+    text += fmt::format("{}: {}", text::escape(change.link), text::escape(change.reason));
+    if (!before.isApprox(after, 1e-9))
+      text += fmt::format(": moments {} -> {} kg m^2", list_of(before, 6), list_of(after, 6));
+    text += '\n';
   }
   for (const Unrepaired& link : repair.unrepaired)
     text += fmt::format("{}: not repaired: {}\n", text::escape(link.link),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,9 @@ namespace twrench::robot {
 /// Returns how many links have a verdict.
 std::size_t count(const JudgedRobot& judged, Verdict verdict);
 
+/// Returns the indices of the links, the worst first, otherwise in the order of the file.
+std::vector<std::size_t> worst_first(const JudgedRobot& judged);
+
 /// Returns the verdict on a link in one sentence.
 std::string verdict_text(const Diagnosis& diagnosis);
 
@@ -20,6 +25,17 @@ std::string verdict_text(const Diagnosis& diagnosis);
 std::string robot_text(const JudgedRobot& judged);
 std::string robot_json(const JudgedRobot& judged);
 std::string robot_junit(const JudgedRobot& judged);
+
+/// Pictures of a link with the ellipsoid of its inertia, as HTML elements; empty if there is none.
+struct LinkPictures {
+  std::string before, after;
+};
+
+/// Returns the judgement as a page, with the pictures of links by their indices, and what a repair
+/// would change.
+std::string robot_html(const JudgedRobot& judged, const Repair& repair,
+                       const std::map<std::size_t, LinkPictures>& pictures,
+                       const ArgumentWording& wording);
 
 /// Returns what a repair changes and why, one line per link.
 std::string repair_text(const Repair& repair, const ArgumentWording& wording);

@@ -8,7 +8,6 @@
 
 #include "base/words.h"
 #include "scene/limits.h"
-#include "scene/mesh_scene.h"
 
 namespace twrench::scene {
 namespace {
@@ -28,6 +27,10 @@ std::vector<body::Part> drawn_parts(const robot::LinkGeometry& geometry,
   return parts;
 }
 
+std::string place_of(const robot::JudgedRobot& judged, std::size_t link) {
+  return fmt::format("{}: link '{}'", judged.robot.file.string(), judged.robot.links[link].name);
+}
+
 }  // namespace
 
 std::size_t link_index(const robot::Robot& robot, const std::string& link,
@@ -41,8 +44,7 @@ std::size_t link_index(const robot::Robot& robot, const std::string& link,
 
 Body link_body(const robot::JudgedRobot& judged, std::size_t link) {
   const robot::Diagnosis& diagnosis = judged.diagnoses[link];
-  const std::string what =
-      fmt::format("{}: link '{}'", judged.robot.file.string(), judged.robot.links[link].name);
+  const std::string what = place_of(judged, link);
   if (diagnosis.verdict == robot::Verdict::unstated) {
     throw InvalidArgument(what, "the file states no mass properties for it",
                           "choose a link that has an <inertial>");
@@ -51,15 +53,15 @@ Body link_body(const robot::JudgedRobot& judged, std::size_t link) {
     throw InvalidArgument(what, diagnosis.faults.front().text,
                           "repair it first: twrench inertia FILE --fix OUT");
   }
-  Body body;
-  const Eigen::Matrix3d inertia = g_per_kg * cm_per_m * cm_per_m * diagnosis.body.inertia;
-  body.inertia = limits::check_inertia(what, (inertia + inertia.transpose()) / 2);
-  body.parts = drawn_parts(judged.geometries[link], diagnosis.body);
-  return body;
+  return link_body(judged, link, diagnosis.body);
 }
 
-Scene link_scene(const robot::JudgedRobot& judged, std::size_t link) {
-  return body_scene(judged.robot.links[link].name, link_body(judged, link));
+Body link_body(const robot::JudgedRobot& judged, std::size_t link, const robot::LinkMass& mass) {
+  Body body;
+  const Eigen::Matrix3d inertia = g_per_kg * cm_per_m * cm_per_m * mass.inertia;
+  body.inertia = limits::check_inertia(place_of(judged, link), (inertia + inertia.transpose()) / 2);
+  body.parts = drawn_parts(judged.geometries[link], mass);
+  return body;
 }
 
 }  // namespace twrench::scene

@@ -16,7 +16,7 @@ std::size_t link_index(const robot::Robot& robot, const std::string& link, const
 /// that a body can move by.
 Body link_body(const robot::JudgedRobot& judged, std::size_t link);
 
-/// Returns the scene of that body; see body_scene().
-Scene link_scene(const robot::JudgedRobot& judged, std::size_t link);
+/// The same with other mass properties than those of the file.
+Body link_body(const robot::JudgedRobot& judged, std::size_t link, const robot::LinkMass& mass);
 
 }  // namespace twrench::scene

@@ -45,6 +45,9 @@ constexpr std::array robot_formats{
     OutputFormat{"json", {".json"}, "{\n \"robot\"", "\n \"counts\": {"},
     OutputFormat{"junit", {".xml"}, "<?xml", "<testsuites name=\"twrench inertia\""}};
 
+constexpr std::array robot_page_formats{OutputFormat{
+    "html", {".html"}, "<!doctype html>", "name=\"generator\" content=\"twrench inertia\">"}};
+
 // A repaired file has no mark of twrench, because it differs from the original only in numbers.
 constexpr std::string_view no_mark = "\x01";
 constexpr std::array robot_file_formats{OutputFormat{"urdf", {".urdf", ".xml"}, "", no_mark},
@@ -135,6 +138,8 @@ const OutputKind exported_motion{"export", exported_motion_formats, OutputKind::
 const OutputKind inertia_output{"inertia", inertia_formats};
 
 const OutputKind robot_output{"inertia", robot_formats};
+
+const OutputKind robot_page{"report", robot_page_formats, OutputKind::Choice::files_only};
 
 const OutputKind robot_file{"repaired robot", robot_file_formats, OutputKind::Choice::files_only};
 

@@ -50,8 +50,8 @@ struct OutputKind {
 };
 
 extern const OutputKind motion_output, saved_motion, exported_motion, inertia_output, robot_output,
-    robot_file, check_output, study_output, list_of_cases, case_output, schema_output, plot_output,
-    page_output, index_output, report_output, comparison_page, difference_picture;
+    robot_page, robot_file, check_output, study_output, list_of_cases, case_output, schema_output,
+    plot_output, page_output, index_output, report_output, comparison_page, difference_picture;
 
 /// Returns ".svg, .pdf or .png".
 std::string listed_endings(const OutputKind& kind);

@@ -92,7 +92,7 @@ TEST_F(RobotFile, HasLinksThatAreBodies) {
 TEST_F(RobotFile, IsRepairedByteForByteElsewhere) {
   const Outcome fix = run("inertia arm.urdf --fix fixed.urdf -o report.txt");
   EXPECT_EQ(fix.code, 1);
-  EXPECT_THAT(fix.err, AllOf(HasSubstr("rod: the products of inertia have the other sign: moments"),
+  EXPECT_THAT(fix.err, AllOf(HasSubstr("rod: the products of inertia have the other sign\n"),
                              HasSubstr("flat: the greatest principal moment, 3 kg m^2, exceeds"),
                              HasSubstr("2 links repaired, 0 not; wrote fixed.urdf")));
   // Three numbers differ, and nothing else.
@@ -113,8 +113,22 @@ TEST_F(RobotFile, IsRepairedByteForByteElsewhere) {
   EXPECT_EQ(text_of(folder_ / "arm.urdf"), arm);
 }
 
+TEST_F(RobotFile, HasAPageWithPicturesOfBadLinks) {
+  const Outcome page = run("inertia arm.urdf --report arm.html");
+  EXPECT_EQ(page.code, 1) << page.err;
+  const std::string html = text_of(folder_ / "arm.html");
+  EXPECT_THAT(html, AllOf(StartsWith("<!doctype html>"), HasSubstr("<h2>flat "),
+                          HasSubstr("<h2>rod "), Not(HasSubstr("<h2>box "))));
+  std::size_t pictures = 0;  // two of each, before and after the repair
+  for (std::size_t at = 0; (at = html.find("<img ", at)) != std::string::npos; ++at) ++pictures;
+  EXPECT_EQ(pictures, 4U);
+  EXPECT_EQ(run("inertia arm.urdf --report arm.html").code, 1);
+  EXPECT_EQ(run("inertia arm.urdf --report arm.txt").code, 2);
+}
+
 TEST_F(RobotFile, RefusesOptionsThatHaveNoMeaning) {
-  EXPECT_THAT(run("inertia arm.urdf --from-mesh").err, HasSubstr("add --fix FILE"));
+  EXPECT_THAT(run("inertia arm.urdf --from-mesh").err,
+              HasSubstr("add --fix FILE or --report FILE"));
   EXPECT_THAT(run("inertia phone --fix a.urdf").err, HasSubstr("--fix: is for the links"));
   EXPECT_THAT(run("inertia phone --format junit").err, HasSubstr("is for the links"));
   EXPECT_THAT(run("inertia phone --link a").err, HasSubstr("--link: is for a robot description"));

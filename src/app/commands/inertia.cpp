@@ -306,6 +306,7 @@ Eigen::Vector3d point_of(const InertiaOptions& options) {
 /// Throws InvalidArgument about an option that is only for a whole robot.
 void require_one_body(const InertiaOptions& options, const system::OutputFile& file) {
   const char* option = !options.repair.fixed_file.empty() ? "--fix"
+                       : !options.repair.page.empty()     ? "--report"
                        : options.repair.from_mesh         ? "--from-mesh"
                        : file.format().name == "junit"    ? "--format junit"
                                                           : nullptr;

@@ -1,13 +1,21 @@
 #include "app/commands/robot_inertia.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/options/command_line.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
 #include "base/words.h"
+#include "film/page_pictures.h"
 #include "robot/report.h"
+#include "scene/link_scene.h"
+#include "scene/mesh_scene.h"
 #include "system/output.h"
 
 namespace twrench::app {
@@ -16,6 +24,56 @@ namespace {
 std::string report(std::string_view format, const robot::JudgedRobot& judged) {
   if (format == "json") return robot::robot_json(judged);
   return format == "junit" ? robot::robot_junit(judged) : robot::robot_text(judged);
+}
+
+/// A scene of a link with its ellipsoid of equal inertia, and nothing else.
+scene::Scene picture_of(const robot::JudgedRobot& judged, std::size_t link,
+                        const robot::LinkMass& mass) {
+  scene::Scene scene =
+      scene::body_scene(judged.robot.links[link].name, scene::link_body(judged, link, mass));
+  scene.overlay.show = {scene::Feature::inertia, scene::Feature::axes};
+  return scene;
+}
+
+/// Whether a link with this inertia can be drawn: beside an ellipsoid that is much larger than the
+/// link, it would be a dot.
+bool is_drawable(const robot::JudgedRobot& judged, std::size_t link, const robot::LinkMass& mass) {
+  const Eigen::Vector3d moments = robot::principal_moments(mass.inertia);
+  if (!(mass.mass > 0.0) || !mass.inertia.allFinite() || !(moments[0] > 0.0)) return false;
+  const robot::LinkGeometry& geometry = judged.geometries[link];
+  double size = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
+    size = std::max(size, geometry.extent(axis) + geometry.extent(-axis));
+  }
+  constexpr double largest = 5.0;
+  return geometry.parts().empty() || std::sqrt(moments[2] / mass.mass) < largest * size;
+}
+
+/// The pictures of the links that are not good, before and after the repair.
+std::map<std::size_t, robot::LinkPictures> pictures_of(const robot::JudgedRobot& judged,
+                                                       const robot::Repair& repair) {
+  std::vector<scene::Scene> scenes;
+  std::vector<std::pair<std::size_t, std::string robot::LinkPictures::*>> places;
+  const auto add = [&](std::size_t link, const robot::LinkMass& mass,
+                       std::string robot::LinkPictures::*place) {
+    if (!is_drawable(judged, link, mass)) return;
+    scenes.push_back(picture_of(judged, link, mass));
+    places.emplace_back(link, place);
+  };
+  for (std::size_t i = 0; i < judged.diagnoses.size(); ++i) {
+    const robot::Diagnosis& diagnosis = judged.diagnoses[i];
+    if (!diagnosis.faults.empty() || !diagnosis.mistakes.empty())
+      add(i, diagnosis.body, &robot::LinkPictures::before);
+  }
+  for (const robot::Change& change : repair.changes)
+    add(change.index, change.after, &robot::LinkPictures::after);
+  std::map<std::size_t, robot::LinkPictures> result;
+  if (scenes.empty()) return result;
+  const std::vector<std::string> pictures = film::still_pictures(scenes, {});
+  for (std::size_t i = 0; i < places.size(); ++i)
+    result[places[i].first].*places[i].second = pictures[i];
+  return result;
 }
 
 }  // namespace
@@ -29,18 +87,25 @@ void add_repair_options(CLI::App& command, RepairOptions& options) {
       ->type_name("FILE")
       ->group(heading(OptionGroup::output));
   command
-      .add_flag(
-          "--from-mesh", options.from_mesh,
-          "with --fix: give links that no mistake explains the moments of their geometry with "
-          "uniform density")
+      .add_option("--report", options.page,
+                  "of a robot description: a page, .html, with pictures of the links that are not "
+                  "good, before and after the repair")
+      ->type_name("FILE")
+      ->group(heading(OptionGroup::output));
+  command
+      .add_flag("--from-mesh", options.from_mesh,
+                "with --fix or --report: give links that no mistake explains the moments of their "
+                "geometry with "
+                "uniform density")
       ->group(heading(OptionGroup::output));
 }
 
 ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
                      const RepairOptions& repair_options, const OutputOptions& output) {
-  if (repair_options.from_mesh && repair_options.fixed_file.empty()) {
+  if (repair_options.from_mesh && repair_options.fixed_file.empty() &&
+      repair_options.page.empty()) {
     throw InvalidArgument("--from-mesh", "it says how to repair, and nothing is repaired",
-                          "add --fix FILE");
+                          "add --fix FILE or --report FILE");
   }
   const robot::JudgedRobot judged = robot_options.read(file);
   system::FileList files = output.files();
@@ -51,10 +116,16 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
   if (!repair_options.fixed_file.empty())
     fixed_file = files.add_output(system::robot_file, repair_options.fixed_file,
                                   enumerator_name(judged.robot.format));
-  for (const std::string& note : judged.notes)
-    warn(with_arguments(note, option_text));
+  std::optional<system::OutputFile> page;
+  if (!repair_options.page.empty())
+    page = files.add_output(system::robot_page, repair_options.page);
+  for (const std::string& note : judged.notes) warn(with_arguments(note, option_text));
+  const robot::Repair repair = robot::repair(judged, repair_options.from_mesh);
+  if (page) {
+    system::write_output(*page,
+                         robot_html(judged, repair, pictures_of(judged, repair), option_text));
+  }
   if (fixed_file) {
-    const robot::Repair repair = robot::repair(judged, repair_options.from_mesh);
     system::write_output(*fixed_file, repair.text);
     write_message(robot::repair_text(repair, option_text));
     say("twrench: inertia: {} links repaired, {} not; wrote {}\n", repair.changes.size(),

@@ -18,6 +18,7 @@
 #include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/link_scene.h"
+#include "scene/mesh_scene.h"
 #include "scene/natural_times.h"
 #include "scene/shown_recording.h"
 #include "scene/video_length.h"
@@ -271,7 +272,8 @@ SceneOptions::Loaded SceneOptions::load(const std::string& name) const {
   if (robot::is_robot_name(name)) {
     robot::JudgedRobot judged = robot_.read(name);
     for (const std::string& note : judged.notes) warn(with_arguments(note, option_text));
-    return {.original = scene::link_scene(judged, robot_.index(judged.robot)),
+    const std::size_t link = robot_.index(judged.robot);
+    return {.original = scene::body_scene(robot_.link(), scene::link_body(judged, link)),
             .robot_files = std::move(judged.files)};
   }
   return {scene::load_scene(language_ ? scene::story_in(*language_, name, "--language") : name)};
