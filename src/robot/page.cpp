@@ -14,7 +14,7 @@ constexpr std::string_view style =
     "body{font:16px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}"
     "table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:.2rem .8rem;"
     "border-bottom:1px solid #ddd}td.n{text-align:right;font-variant-numeric:tabular-nums}"
-    "figure{display:inline-block;margin:.5rem 1rem .5rem 0}img{max-width:100%;height:auto}"
+    "figure{display:inline-block;width:46%;margin:.5rem 1rem .5rem 0}img{max-width:100%;height:auto}"
     "figcaption{color:#555}.impossible{color:#a00}.doubtful{color:#850}";
 
 std::string moments_of(const Eigen::Vector3d& moments) {
@@ -41,7 +41,7 @@ std::string repair_of(std::size_t index, const Link& link, const Repair& repair,
                       const ArgumentWording& wording) {
   const auto change = std::ranges::find(repair.changes, index, &Change::index);
   if (change != repair.changes.end()) {
-    return fmt::format("Repair: the moments become {} kg m², because {}.",
+    return fmt::format("Repair: the moments become {} kg m². Reason: {}.",
                        moments_of(principal_moments(change->after.inertia)),
                        text::escape_xml(change->reason));
   }

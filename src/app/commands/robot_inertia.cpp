@@ -32,6 +32,8 @@ scene::Scene picture_of(const robot::JudgedRobot& judged, std::size_t link,
   scene::Scene scene =
       scene::body_scene(judged.robot.links[link].name, scene::link_body(judged, link, mass));
   scene.overlay.show = {scene::Feature::inertia, scene::Feature::axes};
+  // The same before and after the repair.
+  scene.camera.azimuth = 0.6, scene.camera.elevation = 0.35;
   return scene;
 }
 
