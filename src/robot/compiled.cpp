@@ -27,7 +27,8 @@ Principal principal_of(const Matrix3d& inertia) {
 
 /// MuJoCo allows no rounding here.
 bool violates_triangle(const Vector3d& moments) {
-  return (2 * moments.array() > moments.sum()).any();
+  return moments[0] + moments[1] < moments[2] || moments[1] + moments[2] < moments[0] ||
+         moments[2] + moments[0] < moments[1];
 }
 
 /// Changes a body as mjCBody::Compile does in MuJoCo's src/user/user_objects.cc.

@@ -91,7 +91,9 @@ TEST(Sdf, QualifiesTheNamesOfLinksOfSeveralModels) {
       sdf("<world name='w'><model name='a'>" + link + "<model name='b'>" + link +
           "</model><joint name='j' type='fixed'><parent>l</parent><child>b::l</child></joint>"
           "<include><uri>model://sun</uri></include></model><model name='c'>" +
-          link + "</model></world>");
+          link +
+          "<joint name='j' "
+          "type='fixed'><parent>world</parent><child>l</child></joint></model></world>");
   EXPECT_EQ(robot.name, "w");
   ASSERT_EQ(robot.links.size(), 3U);
   EXPECT_EQ(robot.link("a::b::l").parent, "a::l");
