@@ -80,8 +80,6 @@ class MjcfDefaults {
  private:
   void read_into(MjcfDocument& document, const Element& section, const std::string& name);
 
-  MjcfClass& outermost() { return classes_[outermost_]; }
-
   std::string outermost_ = "main";
   std::map<std::string, MjcfClass> classes_{{"main", {}}};
 };

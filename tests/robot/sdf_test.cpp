@@ -45,6 +45,12 @@ TEST(Sdf, ReadsTheMassPropertiesOfALink) {
   EXPECT_NEAR(inertia(1, 2), -0.002, 1e-17);
 }
 
+TEST(Sdf, MayHaveTheRootOfOldFiles) {
+  const Robot robot = RobotFile("<gazebo>" + model_of(sdf_inertial) + "</gazebo>").read();
+  EXPECT_EQ(robot.format, Format::sdf);
+  EXPECT_EQ(robot.links.size(), 1U);
+}
+
 TEST(Sdf, KnowsThePlaceOfEachNumber) {
   const Robot robot = sdf(model_of(sdf_inertial));
   const Inertial& read = *robot.link("arm").inertial;
