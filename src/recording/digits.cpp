@@ -83,7 +83,9 @@ void NarrowFormat::add(const table::Number& number) {
   // The printed number differs from the value by at most half a unit of its last place.
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double allowed = place / 2 + rounding * std::abs(number.value);
-  all_ = std::abs(number.value - nearest) <= allowed;
+  const double apart = std::abs(number.value - nearest);
+  all_ = apart <= allowed;
+  farthest_ = std::max(farthest_, apart / spacing);
   if (!all_ || evidence_ > enough_evidence) return;
   // A number of few bits, such as 0.5, is a value of any format, and so is a whole number.
   const double few_bits = std::ldexp(spacing, bits_ / 2);
@@ -143,7 +145,7 @@ Resolution Digits::written_resolution(double unit) const {
   if (is_narrow) {
     const bool is_half = float16_.holds_all();
     resolution.written = is_half ? NumberFormat::float16 : NumberFormat::float32;
-    resolution.relative = std::ldexp(1.0, is_half ? -10 : -23);
+    resolution.relative = (is_half ? float16_ : float32_).resolution();
   } else if (is_short && !has_fixed_decimals()) {
     resolution.written = NumberFormat::digits;
     resolution.count = significant_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -49,9 +50,14 @@ class NarrowFormat {
   /// Whether all numbers are values of the format, and too many for this to be chance.
   bool holds_all() const;
 
+  /// The epsilon of the format, and as much more as the printed numbers differ from its values: the
+  /// shortest decimals that determine a value differ from it by up to half its spacing.
+  double resolution() const { return std::ldexp(1 + 2 * farthest_, 1 - bits_); }
+
  private:
   int bits_, least_exponent_;
   bool all_ = true;
+  double farthest_ = 0;  ///< the largest difference from a value, in units of the spacing
   double evidence_ = 0;  ///< bits: how improbable this would be for arbitrary numbers
 };
 

@@ -68,6 +68,15 @@ TEST(Digits, OfSinglePrecisionAreNotMoreThanThoseOfFloats) {
   EXPECT_LT(resolution_of<Digits>({"0.5000000000", "0.2500000000"}).at(0.5), 1e-9);
 }
 
+// Such a decimal is up to half a spacing from its float, which is as far from the exact number.
+TEST(Digits, OfTheShortestDecimalsOfFloatsHaveTheirErrorsToo) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 100; ++i) texts.push_back(fmt::format("{}", std::sin(0.1F * float(i))));
+  const double resolution = resolution_of<Digits>(texts).at(1.5);
+  EXPECT_GT(resolution, 1.8 * double(std::numeric_limits<float>::epsilon()));
+  EXPECT_LE(resolution, 2 * double(std::numeric_limits<float>::epsilon()));
+}
+
 // All of them are values of float32.
 TEST(Digits, OfWholeNumbersInMemoryAreTheirOwn) {
   Digits digits;
