@@ -54,6 +54,25 @@ TEST(Verdict, IsRightOfMomentaInOtherAxes) {
   EXPECT_EQ(fault_of_verdict(random_recording(24102, 925), folder.path()), "");
 }
 
+// The moments are nearly equal, so that the rates change by little more than their digits. In
+// seconds, the gyroscopic term is multiplied by 60, and the rates change clearly.
+TEST(Verdict, ProposesMinutesForMomentaOfANearlySphericalBody) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_verdict(random_recording(90101, 1206), folder.path()), "");
+}
+
+// The momentum about the long axis of this thin body has few digits, which the axes as read hide.
+TEST(Verdict, ProposesFiveChangesThatExplainAllButTheDigits) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_verdict(random_recording(90101, 5647), folder.path()), "");
+}
+
+// The rates of the first row are floats, printed with the fewest decimals, and their errors grow.
+TEST(Verdict, ForgivesDecimalsOfFloats) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_verdict(random_recording(90102, 984), folder.path()), "");
+}
+
 // Taken for seconds, these microseconds put the rows so far apart that the exact motion scatters
 // beside them. That is no noise, in which laws would fit.
 TEST(Verdict, TakesRowsThatAreFarApartForNoNoise) {

@@ -12,6 +12,7 @@
 #include "check/hypotheses/lawful_readings.h"
 #include "check/hypotheses/other_conventions.h"
 #include "check/law/mistakes.h"
+#include "check/verdict/error.h"
 #include "check/verdict/fit.h"
 #include "recording/conventions/units.h"
 #include "recording/informative_rows.h"
@@ -302,14 +303,25 @@ Alternatives alternatives(const Recording& recording, const Problem& problem,
 
 namespace {
 
+/// Whether the digits and the noise explain all errors in the reading.
+bool follows_within_noise(const Recording& recording, const Problem& problem,
+                          const Reading& reading) {
+  try {
+    return judge(recording, reading.convention, problem).within_noise;
+  } catch (const table::BadTable&) {
+    return false;  // a unit seems to change
+  } catch (const CheckError& error) {
+    if (error.reason() != CheckError::Reason::no_fit) throw;
+    return false;
+  }
+}
+
 /// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
-/// leave more than a wrong law does, or more than so many changes of the reading must explain. Each
-/// change can explain a part of anything, so each further one must explain more.
+/// leave more than a wrong law does, or more than so many changes of the reading must explain,
+/// unless the file follows the motion within its noise. Each change can explain a part of anything,
+/// so each further one must explain more.
 void remove_partial_fits(Alternatives& found, const Recording& recording, const Problem& problem,
                          const Judgement& judgement, double miss_of_law) {
-  const double speed = judgement.reference.body.omega().norm();
-  if (speed == 0) return;
-  const double digits = judgement.digits.rate / speed + judgement.digits.attitude;
   const auto is_partial = [&](const Reading& reading) {
     const auto [rows, noise] = law_rows(recording, problem, reading.convention, judgement);
     if (rows.empty()) return false;
@@ -317,13 +329,14 @@ void remove_partial_fits(Alternatives& found, const Recording& recording, const 
     constexpr double worse = 1.1, of_methods = 1e-4, far_worse = 20, round_off = 1e-8;
     if (miss > std::max(worse * miss_of_law, of_methods)) return true;
     if (miss > far_worse * miss_of_law + round_off) return true;
-    constexpr double of_digits = 10, of_one_change = 0.2, of_each_more = 0.1;
+    constexpr double of_one_change = 0.2, of_each_more = 0.1;
     const int changes = count_changes(judgement.convention, reading.convention);
-    const double most = of_one_change * std::pow(of_each_more, changes - 1);
-    return miss > std::max(most, of_digits * (digits + noise.rates + noise.attitude));
+    return miss > of_one_change * std::pow(of_each_more, changes - 1);
   };
   const std::vector<Reading> all = found.fitting;
-  std::erase_if(found.fitting, is_partial);
+  std::erase_if(found.fitting, [&](const Reading& reading) {
+    return is_partial(reading) && !follows_within_noise(recording, problem, reading);
+  });
   if (found.fitting.empty() && !all.empty()) found.nearest = all.front();
 }
 
