@@ -88,6 +88,15 @@ TEST(Verdict, PrefersAMistakeWithoutAFittedNumberInAttitudesAlone) {
   EXPECT_TRUE(verdict.names_mistake);
 }
 
+// In the noise of these attitudes, pairs of rows are so far apart that the rates turn once between
+// them.
+TEST(Verdict, NamesAFastLawOfAttitudesAlone) {
+  const ScratchFolder folder;
+  const VerdictOnLaw verdict = verdict_on(wrong_simulation(90102, 1115), folder.path());
+  EXPECT_EQ(verdict.fault, "");
+  EXPECT_TRUE(verdict.names_mistake);
+}
+
 // Of this body, which is almost symmetric, delayed rates look almost like those of a fixed part.
 TEST(Verdict, PrefersALawThatExplainsFarMoreThanAReading) {
   const ScratchFolder folder;

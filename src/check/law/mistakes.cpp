@@ -70,7 +70,12 @@ Pairs pairs_of(std::span<const Row> rows, double noise, const Effort& effort) {
   const auto stride = static_cast<std::size_t>(std::clamp(apart, 1.0, farthest));
   const std::size_t starts = rows.size() - stride, count = std::min(effort.pairs, starts);
   for (std::size_t k = 0; k < count; ++k) {
-    const Row &from = rows[k * starts / count], &to = rows[k * starts / count + stride];
+    // If all were equally far apart, rates that turn once more between them, or once less, would
+    // fit as well.
+    constexpr std::size_t lengths = 4;
+    const std::size_t shorter = k % lengths * stride / (2 * lengths);
+    const std::size_t first = k * starts / count;
+    const Row &from = rows[first], &to = rows[first + stride - shorter];
     pairs.states.emplace_back(state_of(from), state_of(to));
     pairs.times.push_back(to.t - from.t);
   }

@@ -100,7 +100,7 @@ TEST(WrongLaws, ThatNoiseHidesFromEachOtherAreAllFound) {
   const Eigen::Matrix3d right = Vector3d(3, 2.2, 2.19).asDiagonal();
   Law law{.inertia = Vector3d(3.3, 2.2, 2.19).asDiagonal()};
   std::vector<Row> rows = rows_of_law(law, 300, 0.05);
-  constexpr double size = 1e-3;
+  constexpr double size = 2e-3;
   add_noise(rows, size);
   const WrongLaws found = wrong_laws(right, rows, RowParts::both, {size, size});
   const auto is_found = [&](Mistake mistake) {
@@ -109,6 +109,20 @@ TEST(WrongLaws, ThatNoiseHidesFromEachOtherAreAllFound) {
   EXPECT_TRUE(is_found(Mistake::moments));
   EXPECT_TRUE(is_found(Mistake::gyroscopic_factor));
   EXPECT_FALSE(is_found(Mistake::damping));
+}
+
+// Between rows that are equally far apart, in as much noise as this, the rates of a slower law that
+// turn once less fit as well.
+TEST(WrongLaws, ThatTurnTheRatesFastAreNotSlowerOnes) {
+  const Eigen::Matrix3d large = Vector3d(4.4, 7.5, 4.3).asDiagonal();
+  std::vector<Row> rows =
+      rows_of_law({.inertia = large, .division = Division::omitted}, 400, 0.025);
+  constexpr double size = 2e-3;
+  add_noise(rows, size);
+  const WrongLaws found = wrong_laws(large, rows, RowParts::both, {size, size});
+  ASSERT_THAT(found.of_rates, SizeIs(1));
+  EXPECT_EQ(found.of_rates[0].mistake, Mistake::undivided);
+  EXPECT_EQ(found.of_rates[0].free_numbers, 0);
 }
 
 // With these moments the rates change several times faster than the body turns. Over the two rad
