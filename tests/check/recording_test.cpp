@@ -198,6 +198,27 @@ TEST(Recording, NamesTheReadingOfColumnsWithoutNamesThatFits) {
               testing::HasSubstr(argument("columns", "t=#1,qw=#8,qx=#5,qy=#6,qz=#7")));
 }
 
+// Without the moments, neither attitudes nor angular momenta determine rates.
+TEST(Recording, SaysWhatIsMissingForAFitOfTheMoments) {
+  const auto error = [](const std::string& text) -> std::string {
+    try {
+      choose_rates(Recording(table::open_table("run.csv", std::string_view(text))), {});
+    } catch (const InvalidArgument& error) {
+      EXPECT_EQ(error.remedy(), "give the moments by " + argument("inertia", "A,B,C") +
+                                    ", or the columns of such rates by " +
+                                    argument("columns", "wx=NAME,wy=NAME,wz=NAME"));
+      return error.what();
+    }
+    return "it chose";
+  };
+  const auto line = [](const char* names) { return fmt::format("t,{}\n0,1,0,0,0\n", names); };
+  EXPECT_THAT(error(line("qw,qx,qy,qz")), testing::HasSubstr("and it has attitudes alone"));
+  EXPECT_THAT(error(line("lx,ly,lz,q")), testing::HasSubstr("and it has angular momenta"));
+  EXPECT_EQ(error(line("wx,wy,wz,q")), "it chose");
+  const std::string in_space = "t,omega_world_x,omega_world_y,omega_world_z,qw,qx,qy,qz\n";
+  EXPECT_THAT(error(in_space + "0,1,0,0,1,0,0,0\n"), testing::HasSubstr("in the axes of space"));
+}
+
 // Two units are possible, and only one of them fits.
 TEST(Recording, NamesTheOptionOfTheUnitOfTimesThatFits) {
   std::string text = "timestamp,wx,wy,wz\n";

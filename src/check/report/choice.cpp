@@ -210,6 +210,17 @@ std::vector<Convention> open_conventions(const recording::Recording& recording,
                           with_times(recording, recording::conventions(recording.header(), given)));
 }
 
+/// The error that moments cannot be fitted to what these columns contain.
+InvalidArgument no_rates_to_fit(const std::string& file, const Convention& convention) {
+  const char* found = has_momentum(convention) ? "it has angular momenta, which determine no rates"
+                      : has_rates(convention)  ? "it has rates in the axes of space"
+                                               : "it has attitudes alone";
+  return {
+      file, fmt::format("the moments are fitted to rates about the body's axes, and {}", found),
+      fmt::format("give the moments by {}, or the columns of such rates by {}",
+                  argument("inertia", "A,B,C"), argument("columns", "wx=NAME,wy=NAME,wz=NAME"))};
+}
+
 }  // namespace
 
 Convention choose_rates(const recording::Recording& recording, const Convention& given) {
@@ -225,12 +236,7 @@ Convention choose_rates(const recording::Recording& recording, const Convention&
     rates.rate_unit = one.rate_unit;
     const auto is_same = [&](const Convention& other) { return count_changes(other, rates) == 0; };
     if (std::ranges::none_of(open, is_same)) open.push_back(rates);
-    if (!has_rates(rates) || one.rates_in_space) {
-      throw InvalidArgument(
-          recording.name(),
-          "the moments are fitted to rates about the body's axes, and it has none",
-          "name their columns");
-    }
+    if (!has_rates(rates) || one.rates_in_space) throw no_rates_to_fit(recording.name(), one);
   }
   if (open.size() > 1) throw ambiguous(recording.header(), open, {});
   return open.front();
