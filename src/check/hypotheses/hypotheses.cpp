@@ -91,7 +91,7 @@ class Search {
     plain.axes = BodyAxes();
     plain.offset.reset();
     plain.rates_in_space = false;
-    for (const Convention& reading : attitude_readings(numbers_.header, plain)) {
+    for (const Convention& reading : attitude_readings(plain)) {
       try {
         variants_.push_back({reading, decoded(numbers_, reading)});
       } catch (const table::BadTable&) {

@@ -22,8 +22,8 @@ struct Alternatives {
 };
 
 /// Tests how well the first rows of a file follow the motion of the body if they are read
-/// differently from `convention`: in other units of times, rates and angles, unless the columns
-/// state them; as the inverse attitude; with rates in the other axes; with another order of the
+/// differently from `convention`: in other units of times, rates and angles, even of those that the
+/// file states; as the inverse attitude; with rates in the other axes; with another order of the
 /// quaternion's components or of the rotations of Euler angles; with the wrong sign of one
 /// component of the quaternion; in other axes of the body, left-handed ones included; with the
 /// attitude of a part that is fixed to the body. Tries each change alone and with the others.

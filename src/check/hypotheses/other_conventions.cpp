@@ -5,7 +5,6 @@
 #include <string>
 
 #include "recording/columns/columns.h"
-#include "recording/columns/stated_unit.h"
 #include "recording/conventions/convention.h"
 #include "recording/conventions/units.h"
 
@@ -15,7 +14,6 @@ namespace {
 using recording::Angle;
 using recording::AttitudeForm;
 using recording::Convention;
-using recording::StatedUnit;
 
 /// Adds a changed copy of each convention in the list.
 template <typename Change>
@@ -73,25 +71,21 @@ void add_sequences(std::vector<Convention>& list) {
   }
 }
 
-/// The unit that the column with our name states, or the lines before the names.
-StatedUnit stated_of(const table::Header& header, const Convention& convention,
-                     const std::string& ours) {
-  StatedUnit unit = recording::stated_unit(
-      header, recording::find_column(header, ours, convention.columns.at(ours)));
-  if (!unit.rate) unit.rate = recording::unit_in_preamble(header);
-  return unit;
-}
-
 Angle other(Angle unit) { return unit == Angle::radians ? Angle::degrees : Angle::radians; }
 
-void add_angle_units(std::vector<Convention>& list, const StatedUnit& stated) {
-  if (!stated.rate) also(list, [](Convention& c) { c.angle_unit = other(angle_unit(c)); });
+void add_angle_units(std::vector<Convention>& list) {
+  also(list, [](Convention& c) { c.angle_unit = other(angle_unit(c)); });
+}
+
+/// Whether the times are dates, or were computed from several columns.
+bool has_certain_times(const table::Header& header, const Convention& convention) {
+  const std::size_t column = recording::find_column(header, "t", convention.columns.at("t"));
+  return header.calendar_of(column) != table::Calendar::none || !header.sources_of(column).empty();
 }
 
 }  // namespace
 
-std::vector<Convention> attitude_readings(const table::Header& header,
-                                          const Convention& convention) {
+std::vector<Convention> attitude_readings(const Convention& convention) {
   std::vector<Convention> list{convention}, with_negated;
   // The unit of rates, which is tried apart, does not change that of angles.
   list.front().angle_unit = angle_unit(convention);
@@ -110,13 +104,13 @@ std::vector<Convention> attitude_readings(const table::Header& header,
       break;
     case AttitudeForm::euler:
       add_sequences(list);
-      add_angle_units(list, stated_of(header, convention, "yaw"));
+      add_angle_units(list);
       break;
     case AttitudeForm::rotation_vector:
-      add_angle_units(list, stated_of(header, convention, "rvx"));
+      add_angle_units(list);
       break;
     case AttitudeForm::axis_angle:
-      add_angle_units(list, stated_of(header, convention, "angle"));
+      add_angle_units(list);
       break;
   }
   also(list, [](Convention& c) { c.inverse = !c.inverse; });
@@ -128,14 +122,13 @@ std::vector<Convention> attitude_readings(const table::Header& header,
 std::vector<Units> unit_readings(const table::Header& header, const Convention& convention) {
   const Units as_read{time_unit(convention), rate_unit(convention)};
   std::vector<recording::TimeUnit> times{as_read.time};
-  if (!stated_of(header, convention, "t").time) {
+  if (!has_certain_times(header, convention)) {
     for (const recording::TimeUnitName& name : recording::common_units_of_times()) {
       if (name.unit != as_read.time) times.push_back(name.unit);
     }
   }
   std::vector<recording::RateUnit> rates{as_read.rate};
-  if (has_rates(convention) && !has_momentum(convention) &&
-      !stated_of(header, convention, "wx").rate) {
+  if (has_rates(convention) && !has_momentum(convention)) {
     for (const recording::RateUnitName& name : recording::units_of_rates()) {
       if (name.unit != as_read.rate) rates.push_back(name.unit);
     }
@@ -148,9 +141,11 @@ std::vector<Units> unit_readings(const table::Header& header, const Convention& 
 }
 
 int count_changes(const Convention& before, const Convention& after) {
-  return static_cast<int>(std::ranges::count_if(
-      recording::convention_fields(),
-      [&](const recording::Field& field) { return !agree(field, before, after); }));
+  int count = 0;
+  for (const recording::Field& field : recording::convention_fields()) {
+    if (!agree(field, before, after)) count += before.stated_units.contains(field.name) ? 2 : 1;
+  }
+  return count;
 }
 
 }  // namespace twrench::check

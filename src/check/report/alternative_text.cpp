@@ -73,6 +73,8 @@ std::string alternative_text(const Judgement& judgement, const Convention& after
   if (is_dropped && before.inverse_is_stated) {
     use += (use.empty() ? "" : ", and ") + std::string("correct the direction in the file");
   }
+  if (contradicts_file(before, after))
+    use += (use.empty() ? "" : ", and ") + std::string("correct the unit that the file states");
   if (is_order) use += fmt::format(" (or {})", argument("axes", format_body_axes(after.axes)));
   if (after.negated != before.negated) {
     use +=

@@ -168,8 +168,9 @@ std::optional<Reading> unexpected(const recording::Recording& recording, const P
     if (fitting.empty()) continue;
     const int changes = count_changes(convention, fitting.front().convention);
     if (changes > fewest) continue;
-    // No option reverses the sign of a component.
-    const bool is_option = fitting.size() == 1 && fitting.front().convention.negated.empty();
+    // No option reverses the sign of a component, or contradicts the file.
+    const bool is_option = fitting.size() == 1 && fitting.front().convention.negated.empty() &&
+                           !contradicts_file(convention, fitting.front().convention);
     best = is_option && changes < fewest ? std::optional(fitting.front()) : std::nullopt;
     fewest = changes;
   }

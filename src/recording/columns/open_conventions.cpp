@@ -284,10 +284,11 @@ void add_columns(const table::Header& header, const ColumnSet& set, Convention& 
 }
 
 /// The unit that the columns of the set state, or else the one that the user gave. `unit_of`
-/// extracts it from the words of a name.
+/// extracts it from the words of a name. A stated unit is noted as that of the field.
 template <typename Unit, typename UnitOf>
 std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& set,
-                                std::optional<Unit> said, const UnitOf& unit_of) {
+                                std::optional<Unit> said, const UnitOf& unit_of, const char* field,
+                                Convention& convention) {
   std::optional<Unit> stated;
   for (const std::size_t column : set.columns) {
     const std::string& name = header.names[column];
@@ -310,6 +311,7 @@ std::optional<Unit> unit_of_set(const table::Header& header, const ColumnSet& se
     }
     stated = here.unit;
   }
+  if (stated) convention.stated_units.insert(field);
   return stated ? stated : said;
 }
 
@@ -351,12 +353,15 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   Convention convention = said;
   convention.columns.clear();
   add_columns(header, choice.time, convention);
-  convention.time_unit = unit_of_set(header, choice.time, said.time_unit, time_in);
+  convention.time_unit =
+      unit_of_set(header, choice.time, said.time_unit, time_in, "time_unit", convention);
   const std::optional<RateUnit> rate_unit = rate_unit_of_file(header, said.rate_unit);
+  if (unit_in_preamble(header)) convention.stated_units.insert({"units", "angle_units"});
   if (choice.rates) {
     add_columns(header, *choice.rates, convention);
     if (choice.rates->kind == Kind::rates) {
-      convention.rate_unit = unit_of_set(header, *choice.rates, rate_unit, rate_in);
+      convention.rate_unit =
+          unit_of_set(header, *choice.rates, rate_unit, rate_in, "units", convention);
     }
     convention.rates_in_space = said.rates_in_space || choice.rates->in_space;
   }
@@ -368,7 +373,8 @@ Convention convention_of(const table::Header& header, const ColumnChoice& choice
   if (has_angles(attitude_form(convention))) {
     std::optional<Angle> said_angle = said.angle_unit;
     if (!said_angle && rate_unit) said_angle = angle_of(*rate_unit);
-    convention.angle_unit = unit_of_set(header, *choice.attitude, said_angle, angle_in);
+    convention.angle_unit =
+        unit_of_set(header, *choice.attitude, said_angle, angle_in, "angle_units", convention);
   }
   return convention;
 }

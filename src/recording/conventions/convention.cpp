@@ -308,12 +308,20 @@ std::string mention(const Field& field, const Convention& convention) {
   return word.empty() ? std::string() : argument(field.name, word);
 }
 
+bool contradicts_file(const Convention& before, const Convention& after) {
+  return std::ranges::any_of(convention_fields(), [&](const Field& field) {
+    return before.stated_units.contains(field.name) && !agree(field, before, after);
+  });
+}
+
 std::string changing_arguments(const Convention& before, const Convention& after) {
   std::vector<std::string> mentions;
   // The unit of rates is that of angles, too, unless these have their own.
   Convention with_units = before;
-  if (rate_unit(after) != rate_unit(before)) with_units.rate_unit = rate_unit(after);
+  const bool is_stated = before.stated_units.contains("units");
+  if (!is_stated && rate_unit(after) != rate_unit(before)) with_units.rate_unit = rate_unit(after);
   for (const Field& field : convention_fields()) {
+    if (before.stated_units.contains(field.name)) continue;
     const bool is_angle = field.name == std::string_view("angle_units");
     const std::string text = mention(field, after);
     if (!text.empty() && !agree(field, is_angle ? with_units : before, after)) {

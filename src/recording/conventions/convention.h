@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -48,6 +49,9 @@ struct Convention {
   std::optional<RateUnit> rate_unit;
   /// The unit of angles. If absent, it is that of the rates, or radians.
   std::optional<Angle> angle_unit;
+  /// The names of the fields of those units that the file itself states, which no argument may
+  /// contradict.
+  std::set<std::string> stated_units = {};
   /// The axes of Euler angles in the order of the rotations, each as turned by the rotations before
   /// (intrinsic). "zyx": yaw about z first, then pitch about y, then roll about x. May be empty if
   /// there are no Euler angles.
@@ -131,7 +135,11 @@ bool agree(const Field& field, const Convention& a, const Convention& b);
 /// `--angle-units deg`. Empty for a flag that is not set, for no value, and if users are not asked.
 std::string mention(const Field& field, const Convention& convention);
 
-/// The arguments that change the first convention into the second: `--units deg --inverse`.
+/// Whether the second convention has another unit than the file states in the first.
+bool contradicts_file(const Convention& before, const Convention& after);
+
+/// The arguments that change the first convention into the second: `--units deg --inverse`. There
+/// is none for a unit that contradicts the file.
 std::string changing_arguments(const Convention& before, const Convention& after);
 
 }  // namespace twrench::recording

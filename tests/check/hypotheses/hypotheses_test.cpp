@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "check/recordings.h"
+#include "check/report/alternative_text.h"
 #include "recording/columns/open_conventions.h"
 #include "recording/conventions/units.h"
 #include "sanitizers.h"
@@ -260,19 +261,39 @@ TEST(BetterReadings, BlameNoBodyForErrors) {
   EXPECT_THAT(found.fitting, IsEmpty());
 }
 
-// Units that the columns state are not varied.
-TEST(Alternatives, DoNotContradictTheFile) {
+/// A file of rates in rad/s at times in s, which its names call otherwise.
+Alternatives alternatives_of_named(const std::string& names) {
   const ScratchFolder folder;
-  std::string text = "t_ms,p_deg_s,q_deg_s,r_deg_s\n";
+  std::string text = names + "\n";
   for (const Row& row : exact_rows(41, 0.375)) {
     text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", row.t, row.omega[0], row.omega[1],
                         row.omega[2]);
   }
   system::write_file_atomically(folder / "file.csv", text);
-  const auto open = recording::conventions(table::open_table(folder / "file.csv")->header(), {});
-  ASSERT_THAT(open, SizeIs(1));
-  EXPECT_THAT(alternatives(Recording(folder / "file.csv"), tumbling_problem(), open[0]).fitting,
-              IsEmpty());
+  const Recording recording(folder / "file.csv");
+  const auto open = recording::conventions(recording.header(), {});
+  EXPECT_THAT(open, SizeIs(1));
+  const Judgement judgement = judge(recording, open.front(), tumbling_problem());
+  Alternatives found = better_readings(recording, tumbling_problem(), judgement);
+  for (const Reading& reading : found.fitting) {
+    const bool is_contradicted = contradicts_file(open.front(), reading.convention);
+    EXPECT_EQ(changing_arguments(open.front(), reading.convention).empty(), is_contradicted);
+    EXPECT_EQ(alternative_text(judgement, reading.convention).ends_with("that the file states"),
+              is_contradicted);
+  }
+  return found;
+}
+
+// No option may contradict the file. Without this reading, a multiple of the gyroscopic term fits.
+TEST(BetterReadings, FindWrongUnitsInTheFile) {
+  for (const char* names : {"t,p_deg_s,q_deg_s,r_deg_s", "t,wx (rpm),wy (rpm),wz (rpm)",
+                            "t_ms,wx,wy,wz", "t_ms,p_deg_s,q_deg_s,r_deg_s"}) {
+    const Alternatives found = alternatives_of_named(names);
+    ASSERT_THAT(found.fitting, SizeIs(1)) << names;
+    EXPECT_EQ(rate_unit(found.fitting[0].convention), recording::RateUnit::rad_s) << names;
+    EXPECT_EQ(time_unit(found.fitting[0].convention), recording::TimeUnit::s) << names;
+    EXPECT_TRUE(found.laws.empty()) << names;
+  }
 }
 
 }  // namespace
