@@ -236,8 +236,6 @@ JudgedRobot judge_robot(const std::filesystem::path& file,
                                    ? diagnosis_of_geometry(bodies[i])
                                    : judge(judged.robot, i, judged.geometries));
   }
-  const std::vector<std::string> hidden = hidden_faults(judged.robot);
-  judged.notes.insert(judged.notes.end(), hidden.begin(), hidden.end());
   judged.files = meshes.files();
   judged.files.insert(judged.files.end(), judged.robot.others.begin(), judged.robot.others.end());
   return judged;
