@@ -16,7 +16,7 @@ __all__ = ["LinkFinding", "Repaired", "Robot", "RobotLink"]
 
 @dataclass(frozen=True)
 class LinkFinding:
-    """What is wrong with the mass properties of a link, or a mistake that explains them."""
+    """A fault of a link's mass properties, or a mistake that explains them."""
 
     #: Its name, one of those in docs/robots.md: ``triangle``, ``products_sign``.
     fault: str
@@ -48,7 +48,7 @@ class RobotLink:
     inertia: Array
     #: Principal moments of inertia in kg m^2, (3,), ascending.
     principal_moments: Array
-    #: What speaks against them, the worst first.
+    #: The faults, the worst first.
     faults: tuple[LinkFinding, ...]
     #: Mistakes that explain them, equally well if there are several.
     mistakes: tuple[LinkFinding, ...]

@@ -151,6 +151,12 @@ std::optional<Finding> copied(const Robot& robot, std::size_t index,
                               const std::vector<LinkGeometry>& geometries) {
   const Inertial& own = *robot.links[index].inertial;
   const double digits = relative_resolution(own);
+  // The left and the right link of a robot may differ a little.
+  constexpr double alike = 0.05;
+  const bool is_alike = std::ranges::any_of(
+      geometries[index].models(),
+      [&](const MassModel& model) { return misfit_of(stated_mass(own), model) < alike; });
+  if (is_alike || geometries[index].models().empty()) return std::nullopt;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const Link& other = robot.links[i];
     if (i == index || !other.inertial || !has_same_numbers(own, *other.inertial)) continue;
@@ -202,7 +208,7 @@ Diagnosis diagnosis_of_geometry(const std::optional<LinkMass>& body) {
   diagnosis.verdict = Verdict::good;
   diagnosis.body = *body;
   diagnosis.moments = principal_moments(body->inertia);
-  diagnosis.agreement = Agreement{"its geometry, by which the file defines them"};
+  diagnosis.agreement = Agreement{"its geometry, which defines them"};
   return diagnosis;
 }
 

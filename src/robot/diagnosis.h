@@ -39,7 +39,7 @@ enum class Verdict {
   impossible,  ///< No body has them.
 };
 
-/// What is wrong with the mass properties of a link, or how they came about.
+/// A fault of a link's mass properties, or a mistake that explains them.
 enum class Fault {
   not_finite,      ///< NaN or infinity.
   mass,            ///< The mass is zero or negative.
@@ -91,7 +91,7 @@ struct Diagnosis {
   Eigen::Vector3d moments = Eigen::Vector3d::Zero();  ///< Ascending, in kg m^2.
   /// A geometry of uniform density that has these properties.
   std::optional<Agreement> agreement = {};
-  /// What speaks against the properties, the worst first.
+  /// The faults, the worst first.
   std::vector<Finding> faults = {};
   /// Mistakes that explain them. If there are several, they explain them equally well.
   std::vector<Finding> mistakes = {};
@@ -105,7 +105,7 @@ struct JudgedRobot {
   std::vector<Diagnosis> diagnoses;
   /// The other files that were read: meshes, and those that the description includes.
   std::vector<std::filesystem::path> files;
-  /// What was not read, one line each, beginning with the place.
+  /// Notes on contents that were not read, one line each, beginning with the place.
   std::vector<std::string> notes;
 };
 

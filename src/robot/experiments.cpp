@@ -25,7 +25,7 @@ Inertial with_entries(Inertial inertial, const std::array<Entry, 6>& order) {
   return inertial;
 }
 
-/// The inertia of a point mass, by which that about two points differs.
+/// The inertia of a point mass: the parallel-axis term.
 Matrix3d of_point(double mass, const Vector3d& r) {
   return mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
 }

@@ -19,7 +19,7 @@ struct UnitBody {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< About it in m^2, in the link's axes.
 };
 
-/// What the geometries of a link imply for its mass.
+/// The distribution of mass that the geometries of a link suggest.
 struct MassModel {
   /// The source in messages: "its visual geometry", "the surface of its collision geometry".
   std::string source;

@@ -36,7 +36,7 @@ std::string figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
 }
 
-/// What a repair does to a link, in one sentence.
+/// The repair of a link, in one sentence.
 std::string repair_of(std::size_t index, const Link& link, const Repair& repair,
                       const ArgumentWording& wording) {
   const auto change = std::ranges::find(repair.changes, index, &Change::index);

@@ -26,7 +26,7 @@ struct Edit {
   std::string text;
 };
 
-/// What to write into a link, and why; `body` is nothing if there is no repair.
+/// The new mass properties of a link, nothing if there are none, and the reason.
 struct Plan {
   std::optional<LinkMass> body;
   std::string reason;

@@ -10,7 +10,7 @@ namespace twrench::robot {
 
 /// A repaired link.
 struct Change {
-  std::size_t index = 0;  ///< Of the link.
+  std::size_t index = 0;  ///< The index of the link.
   std::string link;
   /// "the products of inertia have the other sign"
   std::string reason;

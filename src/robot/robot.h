@@ -137,7 +137,7 @@ struct Robot {
   std::filesystem::path mesh_folder;
   /// Nothing for formats other than MJCF.
   std::optional<CompilerSettings> compiler = {};
-  /// What was not understood or not used, one line each.
+  /// Notes on contents that were not understood or not used, one line each.
   std::vector<std::string> notes = {};
   /// Other files that belong to it.
   std::vector<std::filesystem::path> others = {};

@@ -106,7 +106,7 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
                      const RepairOptions& repair_options, const OutputOptions& output) {
   if (repair_options.from_mesh && repair_options.fixed_file.empty() &&
       repair_options.page.empty()) {
-    throw InvalidArgument("--from-mesh", "it says how to repair, and nothing is repaired",
+    throw InvalidArgument("--from-mesh", "it chooses the kind of repair, and nothing is repaired",
                           "add --fix FILE or --report FILE");
   }
   const robot::JudgedRobot judged = robot_options.read(file);
