@@ -57,7 +57,7 @@ py::list links_of(const robot::JudgedRobot& judged) {
 robot::JudgedRobot judge(const std::filesystem::path& file,
                          const std::vector<std::filesystem::path>& packages) {
   const py::gil_scoped_release others_run;
-  return robot::judge_robot(file, packages);
+  return robot::judge_robot(robot::read_robot(file), packages);
 }
 
 /// The text of the repaired file, the changes, and the links that were not repaired, each with its
@@ -84,10 +84,9 @@ void add_robots(py::module_& module) {
   py::class_<robot::JudgedRobot>(module, "JudgedRobot")
       .def(py::init(&judge))
       .def_property_readonly("name", [](const robot::JudgedRobot& j) { return j.robot.name; })
-      .def_property_readonly("format",
-                             [](const robot::JudgedRobot& j) {
-                               return std::string(enumerator_name(j.robot.format));
-                             })
+      .def_property_readonly(
+          "format",
+          [](const robot::JudgedRobot& j) { return std::string(enumerator_name(j.robot.format)); })
       .def_readonly("notes", &robot::JudgedRobot::notes)
       .def_property_readonly("links", &links_of)
       .def("repaired", &repaired)

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robot/compiled.h"
 #include "robot/experiments.h"
@@ -224,17 +225,16 @@ Vector3d principal_moments(const Matrix3d& inertia) {
 
 bool is_possible(const LinkMass& body) { return !impossibility(body); }
 
-JudgedRobot judge_robot(const std::filesystem::path& file,
-                        const std::vector<std::filesystem::path>& packages) {
+JudgedRobot judge_robot(Robot robot, const std::vector<std::filesystem::path>& packages) {
   JudgedRobot judged;
-  judged.robot = read_robot(file);
+  judged.robot = std::move(robot);
   judged.notes = judged.robot.notes;
   Meshes meshes(judged.robot, packages);
   for (const Link& link : judged.robot.links) {
     judged.geometries.emplace_back(link, meshes);
     for (const std::string& problem : judged.geometries.back().problems())
-      judged.notes.push_back(
-          fmt::format("{}:{}: link '{}': {}", file.string(), link.line, link.name, problem));
+      judged.notes.push_back(fmt::format("{}:{}: link '{}': {}", judged.robot.file.string(),
+                                         link.line, link.name, problem));
   }
   const std::vector<std::optional<LinkMass>> bodies = compiled(judged.robot, judged.geometries);
   for (std::size_t i = 0; i < judged.robot.links.size(); ++i) {

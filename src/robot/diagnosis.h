@@ -109,10 +109,8 @@ struct JudgedRobot {
   std::vector<std::string> notes;
 };
 
-/// Reads a robot description and its meshes, and judges its links. `packages` are folders in which
-/// packages and models are looked for. Throws as read_robot(); a mesh that cannot be read is a
-/// note.
-JudgedRobot judge_robot(const std::filesystem::path& file,
-                        const std::vector<std::filesystem::path>& packages);
+/// Reads the meshes of a robot and judges its links. `packages` are folders in which packages and
+/// models are looked for. A mesh that cannot be read is a note.
+JudgedRobot judge_robot(Robot robot, const std::vector<std::filesystem::path>& packages);
 
 }  // namespace twrench::robot

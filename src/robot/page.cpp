@@ -14,7 +14,8 @@ constexpr std::string_view style =
     "body{font:16px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}"
     "table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:.2rem .8rem;"
     "border-bottom:1px solid #ddd}td.n{text-align:right;font-variant-numeric:tabular-nums}"
-    "figure{display:inline-block;width:46%;margin:.5rem 1rem .5rem 0}img{max-width:100%;height:auto}"
+    "figure{display:inline-block;width:46%;margin:.5rem 1rem .5rem "
+    "0}img{max-width:100%;height:auto}"
     "figcaption{color:#555}.impossible{color:#a00}.doubtful{color:#850}";
 
 std::string moments_of(const Eigen::Vector3d& moments) {

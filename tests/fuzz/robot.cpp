@@ -7,8 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "robot/compiled.h"
-#include "robot/diagnosis.h"
+#include "robot/repair.h"
 #include "system/error.h"
 #include "target.h"
 
@@ -25,18 +24,17 @@ void require_place(const robot::Robot& robot, const robot::Written& number) {
 }
 
 void read(std::string text) {
-  const robot::Robot robot = robot::read_robot(std::move(text), "robot.xml");
-  robot::Meshes meshes(robot, {});
-  std::vector<robot::LinkGeometry> geometries;
-  for (const robot::Link& link : robot.links) {
-    geometries.emplace_back(link, meshes);
+  const robot::JudgedRobot judged =
+      robot::judge_robot(robot::read_robot(std::move(text), "robot.xml"), {});
+  for (const robot::Link& link : judged.robot.links) {
     if (!link.inertial) continue;
-    require_place(robot, link.inertial->mass);
-    for (const robot::Written& number : link.inertial->centre) require_place(robot, number);
-    for (const robot::Written& number : link.inertial->entries) require_place(robot, number);
+    require_place(judged.robot, link.inertial->mass);
+    for (const robot::Written& number : link.inertial->centre) require_place(judged.robot, number);
+    for (const robot::Written& number : link.inertial->entries) require_place(judged.robot, number);
   }
-  require(robot::compiled(robot, geometries).size() == robot.links.size(), "links are compiled");
-  require(robot::diagnose(robot, geometries).size() == robot.links.size(), "links are judged");
+  require(judged.diagnoses.size() == judged.robot.links.size(), "links are judged");
+  const robot::Repair repair = robot::repair(judged, true);
+  require(!repair.changes.empty() || repair.text == judged.robot.text, "only a repair changes it");
 }
 
 }  // namespace

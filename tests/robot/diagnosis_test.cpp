@@ -22,7 +22,7 @@ using testing::SizeIs;
 /// Writes a robot description and judges it.
 JudgedRobot judged(const std::string& text, const std::filesystem::path& file) {
   std::ofstream(file, std::ios::binary) << text;
-  return judge_robot(file, {});
+  return judge_robot(read_robot(file), {});
 }
 
 bool names(const Diagnosis& diagnosis, Fault fault) {

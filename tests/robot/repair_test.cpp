@@ -17,7 +17,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 Repair repair_of(const RobotFile& file, bool from_geometry = false) {
-  return repair(judge_robot(file.path(), {}), from_geometry);
+  return repair(judge_robot(file.read(), {}), from_geometry);
 }
 
 TEST(NearestPossible, KeepsWhatIsPossible) {
@@ -73,7 +73,7 @@ TEST(Repair, NamesALinkWhoseNumbersAreNotInTheFile) {
   EXPECT_THAT(repaired.changes, IsEmpty());
   ASSERT_THAT(repaired.unrepaired, SizeIs(1));
   EXPECT_THAT(repaired.unrepaired[0].reason, HasSubstr("no place for one of the numbers"));
-  EXPECT_EQ(repaired.text, judge_robot(file.path(), {}).robot.text);
+  EXPECT_EQ(repaired.text, judge_robot(file.read(), {}).robot.text);
 }
 
 TEST(Repair, LeavesLinksThatNothingDetermines) {

@@ -44,7 +44,7 @@ std::vector<std::string> RobotOptions::given() const {
 }
 
 robot::JudgedRobot RobotOptions::read(const std::string& file) const {
-  return robot::judge_robot(file, {packages_.begin(), packages_.end()});
+  return robot::judge_robot(robot::read_robot(file), {packages_.begin(), packages_.end()});
 }
 
 std::size_t RobotOptions::index(const robot::Robot& robot) const {

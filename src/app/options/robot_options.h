@@ -24,7 +24,7 @@ class RobotOptions {
   /// Returns the name of the link; empty if it was not given.
   const std::string& link() const { return link_; }
 
-  /// Reads a robot description and judges its links. Throws as robot::judge_robot().
+  /// Reads a robot description and judges its links. Throws as robot::read_robot().
   robot::JudgedRobot read(const std::string& file) const;
 
   /// Returns the index of the link. Throws InvalidArgument about --link, also if it is not given.
