@@ -79,4 +79,10 @@ Content read_ply(const Source& source);
 /// InvalidArgument if it requires an unsupported feature.
 Content read_gltf(const Source& source);
 
+/// Reads the faces of the scene in a COLLADA file, with the nodes' transforms applied, in the unit
+/// that the file states. The coordinates are those of the file, whatever its up_axis, as in RViz.
+/// Lines, skins and morph targets are left out with a note; materials and colours are ignored.
+/// Throws system::FileError if the file is no COLLADA, and InvalidArgument about an element.
+Content read_collada(const Source& source);
+
 }  // namespace twrench::mesh

@@ -31,9 +31,9 @@ struct Format {
   Content (*read)(const Source&);
 };
 
-constexpr std::array formats{Format{".obj", read_obj}, Format{".stl", read_stl},
-                             Format{".ply", read_ply}, Format{".gltf", read_gltf},
-                             Format{".glb", read_gltf}};
+constexpr std::array formats{Format{".obj", read_obj},  Format{".stl", read_stl},
+                             Format{".ply", read_ply},  Format{".gltf", read_gltf},
+                             Format{".glb", read_gltf}, Format{".dae", read_collada}};
 
 struct Unit {
   const char* name;
@@ -56,6 +56,11 @@ const Format* format_of(const std::filesystem::path& file) {
   return found == formats.end() ? nullptr : found;
 }
 
+bool is_collada(const Source& source) {
+  const Format* format = format_of(source.name);
+  return format && format->read == read_collada && source.bytes.starts_with('<');
+}
+
 Content read_content(Source source) {
   const std::string what = "cannot read " + source.name;
   if (source.bytes.size() > most_bytes) {
@@ -65,9 +70,9 @@ Content read_content(Source source) {
   if (!is_binary_stl(source.bytes)) {
     source.bytes = system::without_byte_order_mark(source.bytes);
     const auto kind = system::recognized_file_kind(source.bytes);
-    if (kind && !source.bytes.starts_with(glb_mark)) {
+    if (kind && !source.bytes.starts_with(glb_mark) && !is_collada(source)) {
       throw system::FileError(what, fmt::format("it is {}", *kind),
-                              "save it in OBJ, STL, PLY or glTF, with text in UTF-8");
+                              "save it in OBJ, STL, PLY, glTF or COLLADA, with text in UTF-8");
     }
   }
   // Two formats are identified by their first bytes, whatever the name.
@@ -75,19 +80,22 @@ Content read_content(Source source) {
   if (source.bytes.starts_with("ply\n") || source.bytes.starts_with("ply\r"))
     return read_ply(source);
   if (const Format* format = format_of(source.name)) return format->read(source);
-  throw InvalidArgument(source.name, "its extension is not that of a mesh file",
-                        "use a file in OBJ, STL, PLY or glTF: .obj .stl .ply .gltf .glb");
+  throw InvalidArgument(
+      source.name, "its extension is not that of a mesh file",
+      "use a file in OBJ, STL, PLY, glTF or COLLADA: .obj .stl .ply .gltf .glb .dae");
 }
 
 double scale_of(const std::string& name, const Content& content, const ReadOptions& options) {
-  if (options.scale) return *options.scale;
-  if (content.scale) return *content.scale;
+  if (options.scale) return *options.scale * options.factor;
+  if (content.scale) return *content.scale * options.factor;
+  if (options.default_scale) return *options.default_scale * options.factor;
   throw MeshError(MeshError::Reason::no_scale, name, "its unit is not known: the format has none",
                   "say unit = \"mm\", \"cm\", \"m\", \"inch\" or \"km\", or scale = CM_PER_UNIT");
 }
 
 void check(const ReadOptions& options) {
   if (options.scale) require_positive("scale", *options.scale);
+  require_positive("factor", options.factor);
   if (options.weld != 0.0) require_positive("weld", options.weld);
   if (options.shell != 0.0) require_positive("shell", options.shell);
 }

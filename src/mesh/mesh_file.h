@@ -16,8 +16,13 @@ namespace twrench::mesh {
 
 /// How to interpret the mesh of a file.
 struct ReadOptions {
-  /// Centimetres per unit of the file. Not needed for glTF, which is in metres.
-  std::optional<double> scale;
+  /// Centimetres per unit of the file. Not needed for glTF, which is in metres, and COLLADA, which
+  /// states its unit.
+  std::optional<double> scale = {};
+  /// Centimetres per unit of a file that does not determine it.
+  std::optional<double> default_scale = {};
+  /// Multiplies all lengths of the file.
+  double factor = 1.0;
   /// Welding tolerance in cm: vertices that are no farther apart are joined; 0 joins only those
   /// that coincide.
   double weld = 0.0;
@@ -74,8 +79,8 @@ class MeshError : public InvalidArgument {
   std::optional<double> weld_;
 };
 
-/// Returns whether the name has an extension of a mesh file: .obj, .stl, .ply, .gltf or .glb, in
-/// upper or lower case.
+/// Returns whether the name has an extension of a mesh file: .obj, .stl, .ply, .gltf, .glb or
+/// .dae, in upper or lower case.
 bool is_mesh_name(const std::filesystem::path& file);
 
 /// Returns the names of the units that a mesh file may use.
@@ -84,10 +89,10 @@ std::vector<std::string> unit_names();
 /// Returns the length in cm of a unit. Throws InvalidArgument about `what` if the unit is unknown.
 double unit_length(const std::string& what, std::string_view unit);
 
-/// Reads a mesh in OBJ, STL, PLY or glTF. The content identifies PLY and binary glTF, the extension
-/// the others. Joins equal vertices and removes the triangles that lose their area by this. Turns a
-/// solid over if it is inside out. Throws InvalidArgument about the file, or a line or triangle of
-/// it, if the mesh is not a solid, OutOfRange about "scale", "weld" and "shell", and
+/// Reads a mesh in OBJ, STL, PLY, glTF or COLLADA. The content identifies PLY and binary glTF, the
+/// extension the others. Joins equal vertices and removes the triangles that lose their area by
+/// this. Turns a solid over if it is inside out. Throws InvalidArgument about the file, or a line
+/// or triangle of it, if the mesh is not a solid, OutOfRange about "scale", "weld" and "shell", and
 /// system::FileError if the file cannot be read, is longer than 1 GiB, or is damaged.
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options);
 

@@ -44,16 +44,17 @@ class Sum {
   Matrix3d second_ = Matrix3d::Zero();  ///< The integral of r r^T dm.
 };
 
-/// Reads a mesh in cm; the factors of its coordinates may differ, or mirror it.
-mesh::MeshFile read(const fs::path& file, const Vector3d& metres_per_unit, double shell) {
-  mesh::ReadOptions options{.scale = metres_per_unit[0] / cm, .shell = shell, .search = false};
-  if (metres_per_unit.isConstant(metres_per_unit[0]) && metres_per_unit[0] > 0.0)
-    return mesh::read_mesh(file, options);
-  options.scale = 1.0 / cm;
+/// Reads a mesh in cm. Its unit is the metre unless the file determines another. The factors of its
+/// coordinates may differ, or mirror it.
+mesh::MeshFile read(const fs::path& file, const Vector3d& factors, double shell) {
+  mesh::ReadOptions options{
+      .default_scale = 1.0 / cm, .factor = factors[0], .shell = shell, .search = false};
+  if (factors.isConstant(factors[0]) && factors[0] > 0.0) return mesh::read_mesh(file, options);
+  options.factor = 1.0;
   mesh::ReadOptions as_surface = options;
   as_surface.shell = 1.0;  // any wall, because the coordinates alone are used
   body::TriangleMesh surface = *mesh::read_mesh(file, as_surface).shape.surface;
-  for (Vector3d& vertex : surface.vertices) vertex = vertex.cwiseProduct(metres_per_unit);
+  for (Vector3d& vertex : surface.vertices) vertex = vertex.cwiseProduct(factors);
   options.scale = 1.0;
   return mesh::checked_mesh(file.string(), std::move(surface), options);
 }

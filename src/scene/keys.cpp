@@ -54,13 +54,14 @@ const std::vector<Key>& mesh_keys() {
   using enum ValueForm::Kind;
   static const std::vector<Key> all{
       {.name = "file",
-       .help = "path of an OBJ, STL, PLY or glTF file, from the folder of the scene file",
+       .help = "path of an OBJ, STL, PLY, glTF or COLLADA file, from the folder of the scene file",
        .form = {text},
        .is_required = true},
       {.name = "unit",
        .help = "unit of the file",
        .form = {text, {}, mesh::unit_names()},
-       .otherwise = "metres for glTF; other formats need it or scale"},
+       .otherwise =
+           "metres for glTF, that of the file for COLLADA; other formats need it or scale"},
       {.name = "scale",
        .help = "centimetres per unit of the file",
        .form = {number, limits::mesh_scale},

@@ -14,7 +14,7 @@ namespace {
 
 using namespace twrench;
 
-constexpr std::array names{"a.obj", "a.stl", "a.ply", "a.gltf", "a.glb"};
+constexpr std::array names{"a.obj", "a.stl", "a.ply", "a.gltf", "a.glb", "a.dae"};
 
 void read(std::string_view bytes, const std::string& name, const mesh::ReadOptions& options) {
   const mesh::MeshFile file = mesh::read_mesh(bytes, name, options);

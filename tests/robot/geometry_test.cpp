@@ -83,6 +83,36 @@ TEST(LinkGeometry, FindsMeshesOfPackages) {
   EXPECT_TRUE(geometry.models()[0].body.centre.isApprox(Vector3d(0.5, 0.5, -0.5), 1e-14));
 }
 
+// The factors of the description multiply the unit of the file, here the millimetre.
+TEST(LinkGeometry, TakesTheUnitOfAColladaMeshFromTheFile) {
+  const RobotFile file(
+      "<robot name='r'><link name='a'>"
+      "<visual><geometry><mesh filename='t.dae' scale='2 2 2'/></geometry></visual>"
+      "<collision><geometry><mesh filename='t.dae' scale='2 2 -2'/></geometry></collision>"
+      "</link></robot>");
+  std::ofstream(file.folder() / "t.dae")
+      << "<?xml version='1.0'?><COLLADA version='1.4.1'><asset><unit meter='0.001'/></asset>"
+         "<library_geometries><geometry id='g'><mesh>"
+         "<source id='s'><float_array id='n'>0 0 0 500 0 0 0 500 0 0 0 500</float_array>"
+         "<technique_common><accessor source='#n' count='4' stride='3'/></technique_common>"
+         "</source><vertices id='v'><input semantic='POSITION' source='#s'/></vertices>"
+         "<triangles><input semantic='VERTEX' source='#v' offset='0'/>"
+         "<p>0 2 1 0 1 3 1 2 3 0 3 2</p></triangles></mesh></geometry></library_geometries>"
+         "<library_visual_scenes><visual_scene id='w'><node><instance_geometry url='#g'/></node>"
+         "</visual_scene></library_visual_scenes>"
+         "<scene><instance_visual_scene url='#w'/></scene></COLLADA>";
+  const Robot robot = file.read();
+  const LinkGeometry geometry = geometry_of(robot);
+  EXPECT_THAT(geometry.problems(), SizeIs(0));
+  // Tetrahedra of the edges 1 m, the second one mirrored.
+  ASSERT_GE(geometry.models().size(), 3U);
+  for (const std::size_t i : {0U, 2U}) {
+    EXPECT_NEAR(*geometry.models()[i].volume, 1.0 / 6, 1e-15);
+    EXPECT_TRUE(geometry.models()[i].body.centre.isApprox(
+        Vector3d(0.25, 0.25, i == 0 ? 0.25 : -0.25), 1e-14));
+  }
+}
+
 TEST(LinkGeometry, NamesAMeshThatIsMissing) {
   const RobotFile file(
       "<robot name='r'><link name='a'>"

@@ -109,8 +109,8 @@ SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::stri
   command
       .add_option(
           "SCENE", names_,
-          ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb), robot description (.urdf, .sdf, "
-          ".xml) or built-in scene (see twrench scenes)")
+          ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb, .dae), robot description (.urdf, "
+          ".sdf, .xml) or built-in scene (see twrench scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
       ->default_str(fmt::format("{}", fmt::join(names_, " ")));
 }
