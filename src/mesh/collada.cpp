@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <pugixml.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
