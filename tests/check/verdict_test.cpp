@@ -97,6 +97,15 @@ TEST(Verdict, NamesAFastLawOfAttitudesAlone) {
   EXPECT_TRUE(verdict.names_mistake);
 }
 
+// The rates of this law turn several times as fast as the body. Between rows of the attitude that
+// suffice for slower ones, they are smoothed to those of another body.
+TEST(Verdict, NamesALawThatTurnsTheRatesFasterThanTheBody) {
+  const ScratchFolder folder;
+  const VerdictOnLaw verdict = verdict_on(wrong_simulation(140501, 1739), folder.path());
+  EXPECT_EQ(verdict.fault, "");
+  EXPECT_TRUE(verdict.names_mistake);
+}
+
 // Of this body, which is almost symmetric, delayed rates look almost like those of a fixed part.
 TEST(Verdict, PrefersALawThatExplainsFarMoreThanAReading) {
   const ScratchFolder folder;

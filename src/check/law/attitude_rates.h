@@ -15,8 +15,8 @@ struct RowsWithRates {
 
 /// Derives the rates from the attitudes of seven rows each, to order 6. The errors of the attitudes
 /// have the standard deviation `error` in rad, from row to row: the larger it is, the farther apart
-/// are the seven rows. Returns no rows if there are too few, or if the body turns too far between
-/// them.
+/// are the seven rows, unless the rates change much between them. Returns no rows if there are too
+/// few, or if the body turns too far between them.
 RowsWithRates with_rates_of_attitude(std::span<const recording::Row> rows, double error);
 
 }  // namespace twrench::check

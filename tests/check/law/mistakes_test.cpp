@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/enumeration.h"
+#include "check/law/attitude_rates.h"
 #include "check/law/candidates.h"
 #include "check/recordings.h"
 #include "scene_dice.h"
@@ -137,6 +138,19 @@ TEST(WrongLaws, ThatChangeTheRatesFastAreNotThoseOfAnotherBody) {
   ASSERT_THAT(found.of_rates, SizeIs(1));
   EXPECT_EQ(found.of_rates[0].mistake, Mistake::multiplied);
   EXPECT_EQ(found.of_rates[0].free_numbers, 0);
+}
+
+// If the rates turned as slowly as the body, rows several times as far apart would do.
+TEST(RatesOfAttitudes, AreRightIfTheyTurnFast) {
+  const Eigen::Matrix3d large = Vector3d(2.5, 3.5, 4.5).asDiagonal();
+  const std::vector<Row> rows =
+      rows_of_law({.inertia = large, .division = Division::multiplied}, 800, 0.005);
+  constexpr double error = 1e-4;
+  const RowsWithRates found = with_rates_of_attitude(rows, error);
+  ASSERT_THAT(found.rows, testing::Not(IsEmpty()));
+  const double noise = found.noise * omega.norm();
+  for (const Row& row : found.rows)
+    ASSERT_LT((row.omega - rows[row.number - 1].omega).norm(), 2 * noise);
 }
 
 TEST(Candidates, AreAllMistakes) {
