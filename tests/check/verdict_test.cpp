@@ -67,6 +67,12 @@ TEST(Verdict, ProposesFiveChangesThatExplainAllButTheDigits) {
   EXPECT_EQ(fault_of_verdict(random_recording(90101, 5647), folder.path()), "");
 }
 
+// In rates in space, a half turn of the body shows in nothing: it is no other reading.
+TEST(Verdict, ProposesNoReadingThatOnlyTurnsTheBody) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fault_of_verdict(random_recording(170601, 1569), folder.path()), "");
+}
+
 // The rates of the first row are floats, printed with the fewest decimals, and their errors grow.
 TEST(Verdict, ForgivesDecimalsOfFloats) {
   const ScratchFolder folder;

@@ -81,16 +81,27 @@ Matrix3d offset_between(const Matrix3d& inertia, std::span<const Row> rows,
   return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
-bool are_same_motion(std::span<const Row> a, std::span<const Row> b) {
+namespace {
+
+/// Whether the rows `b` have the same motion as `a` if their body's axes are turned by S.
+bool are_turned(std::span<const Row> a, std::span<const Row> b, const Matrix3d& S) {
   constexpr double same = 1e-5;
   const double speed = a.front().omega.norm();
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if ((a[i].omega - b[i].omega).norm() > same * speed) return false;
+    if ((a[i].omega - S * b[i].omega).norm() > same * speed) return false;
     const Matrix3d turn_a = a.front().X.transpose() * a[i].X;
     const Matrix3d turn_b = b.front().X.transpose() * b[i].X;
-    if (!turn_a.isApprox(turn_b, same)) return false;
+    if (!turn_a.isApprox(S * turn_b * S.transpose(), same)) return false;
   }
   return true;
+}
+
+}  // namespace
+
+bool are_same_motion(const Matrix3d& inertia, std::span<const Row> a, std::span<const Row> b) {
+  return std::ranges::any_of(recording::all_body_axes(), [&](const BodyAxes& axes) {
+    return are_equivalent(inertia, BodyAxes(), axes) && are_turned(a, b, axes.matrix());
+  });
 }
 
 }  // namespace twrench::check

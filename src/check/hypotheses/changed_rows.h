@@ -42,7 +42,9 @@ Eigen::Matrix3d offset_between(const Eigen::Matrix3d& inertia, std::span<const r
                                std::span<const recording::Row> turned,
                                const recording::BodyAxes& axes);
 
-/// Whether rows at the same times have the same motion, up to a rotation of the space frame.
-bool are_same_motion(std::span<const recording::Row> a, std::span<const recording::Row> b);
+/// Whether rows at the same times have the same motion, up to a rotation of the space frame, and to
+/// one of the body that leaves its inertia unchanged.
+bool are_same_motion(const Eigen::Matrix3d& inertia, std::span<const recording::Row> a,
+                     std::span<const recording::Row> b);
 
 }  // namespace twrench::check

@@ -272,7 +272,7 @@ class Search {
     for (const Tried& tried : found_) {
       const auto is_same = [&](const Tried& other) {
         return time_unit(tried.reading.convention) == time_unit(other.reading.convention) &&
-               are_same_motion(tried.rows, other.rows);
+               are_same_motion(problem_.inertia, tried.rows, other.rows);
       };
       if (std::ranges::none_of(kept, is_same)) kept.push_back(tried);
     }
