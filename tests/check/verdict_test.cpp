@@ -120,6 +120,14 @@ TEST(Verdict, PrefersALawThatExplainsFarMoreThanAReading) {
   EXPECT_TRUE(verdict.names_mistake);
 }
 
+// The noise of the rates hides that a reading leaves more of the attitude than this law.
+TEST(Verdict, ComparesReadingsAndLawsOfTheAttitudeApart) {
+  const ScratchFolder folder;
+  const VerdictOnLaw verdict = verdict_on(wrong_simulation(170601, 1364), folder.path());
+  EXPECT_EQ(verdict.fault, "");
+  EXPECT_TRUE(verdict.names_mistake);
+}
+
 // In noise, rows are compared between which this body turns by more than half a turn.
 TEST(Verdict, NamesAMistakeBeyondHalfATurn) {
   if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";

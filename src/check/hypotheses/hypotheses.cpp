@@ -316,22 +316,27 @@ bool follows_within_noise(const Recording& recording, const Problem& problem,
   }
 }
 
+/// Whether a reading leaves clearly more than a law of what changes. Errors of methods blur both.
+bool is_worse(double of_reading, double of_law) {
+  constexpr double worse = 1.1, of_methods = 1e-4, far_worse = 20, round_off = 1e-8;
+  return of_reading > std::max(worse * of_law, of_methods) ||
+         of_reading > far_worse * of_law + round_off;
+}
+
 /// Removes the readings that do not explain all rows, and keeps the nearest of them: those that
 /// leave more than a wrong law does, or more than so many changes of the reading must explain,
 /// unless the file follows the motion within its noise. Each change can explain a part of anything,
 /// so each further one must explain more.
 void remove_partial_fits(Alternatives& found, const Recording& recording, const Problem& problem,
-                         const Judgement& judgement, double miss_of_law) {
+                         const Judgement& judgement, const LawMiss& of_law) {
   const auto is_partial = [&](const Reading& reading) {
     const auto [rows, noise] = law_rows(recording, problem, reading.convention, judgement);
     if (rows.empty()) return false;
-    const double miss = largest_miss(problem.inertia, rows, parts_of(judgement), noise);
-    constexpr double worse = 1.1, of_methods = 1e-4, far_worse = 20, round_off = 1e-8;
-    if (miss > std::max(worse * miss_of_law, of_methods)) return true;
-    if (miss > far_worse * miss_of_law + round_off) return true;
+    const LawMiss miss = free_body_miss(problem.inertia, rows, parts_of(judgement), noise);
+    if (is_worse(miss.rates, of_law.rates) || is_worse(miss.attitude, of_law.attitude)) return true;
     constexpr double of_one_change = 0.2, of_each_more = 0.1;
     const int changes = count_changes(judgement.convention, reading.convention);
-    return miss > of_one_change * std::pow(of_each_more, changes - 1);
+    return miss.worst() > of_one_change * std::pow(of_each_more, changes - 1);
   };
   const std::vector<Reading> all = found.fitting;
   std::erase_if(found.fitting, [&](const Reading& reading) {

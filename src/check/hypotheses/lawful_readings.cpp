@@ -70,12 +70,11 @@ WrongLaws laws_of(const Recording& recording, const Problem& problem, const Judg
   return wrong_laws(problem.inertia, law.rows, parts_of(judgement), law.noise);
 }
 
-double miss_of(const WrongLaws& laws) {
+LawMiss miss_of(const WrongLaws& laws) {
   const auto least = [](const std::vector<Explanation>& all, double as_read) {
     return all.empty() ? as_read : std::ranges::min(all, {}, &Explanation::miss).miss;
   };
-  return std::max(least(laws.of_rates, laws.rates_miss),
-                  least(laws.of_attitude, laws.attitude_miss));
+  return {least(laws.of_rates, laws.rates_miss), least(laws.of_attitude, laws.attitude_miss)};
 }
 
 namespace {
@@ -99,7 +98,7 @@ double miss_of_kinematics(const LawRows& law) {
 Lawful lawful(const Recording& recording, const Problem& problem, const Convention& convention) {
   const Judgement judgement = judge(recording, convention, problem);
   const WrongLaws laws = laws_of(recording, problem, judgement);
-  Lawful result{{convention, judgement.misfit}, miss_of(laws), 0};
+  Lawful result{{convention, judgement.misfit}, miss_of(laws).worst(), 0};
   for (const auto* list : {&laws.of_rates, &laws.of_attitude}) {
     if (!list->empty()) result.free_numbers += list->front().free_numbers;
   }
@@ -116,7 +115,8 @@ double miss_of_free_body(const Recording& recording, const Problem& problem,
                          const Convention& convention) {
   const Judgement judgement = judge(recording, convention, problem);
   const auto [rows, noise] = law_rows(recording, problem, convention, judgement);
-  return rows.empty() ? 0 : largest_miss(problem.inertia, rows, parts_of(judgement), noise);
+  if (rows.empty()) return 0;
+  return free_body_miss(problem.inertia, rows, parts_of(judgement), noise).worst();
 }
 
 std::optional<Lawful> only_lawful(const Recording& recording, const Problem& problem,

@@ -30,12 +30,12 @@ WrongLaws laws_of(const recording::Recording& recording, const Problem& problem,
                   const Judgement& judgement);
 
 /// The part of the changes in rates and attitude that even the best law misses.
-double miss_of(const WrongLaws& laws);
+LawMiss miss_of(const WrongLaws& laws);
 
 /// A reading, and how well a law or the kinematics explains it.
 struct Lawful {
   Reading reading;
-  double miss;       ///< as of miss_of()
+  double miss;       ///< the worst of miss_of()
   int free_numbers;  ///< of the law
 };
 

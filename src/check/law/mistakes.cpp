@@ -338,15 +338,14 @@ WrongLaws wrong_laws(const Matrix3d& inertia, std::span<const Row> rows, RowPart
   return found;
 }
 
-double largest_miss(const Matrix3d& inertia, std::span<const Row> rows, RowParts parts,
-                    const RelativeNoise& noise) {
+LawMiss free_body_miss(const Matrix3d& inertia, std::span<const Row> rows, RowParts parts,
+                       const RelativeNoise& noise) {
   const Pairs pairs = pairs_of(rows, noise.rates, precise);
   const Law right{.inertia = inertia};
   const auto miss = [&](const Aspect& aspect) {
     return Comparer(pairs, aspect, right, noise.rates).miss_of_right();
   };
-  const double of_rates = miss(rates_of(pairs, noise));
-  return parts == RowParts::both ? std::max(of_rates, miss(attitude_of(noise))) : of_rates;
+  return {miss(rates_of(pairs, noise)), parts == RowParts::both ? miss(attitude_of(noise)) : 0};
 }
 
 }  // namespace twrench::check

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <vector>
@@ -72,8 +73,15 @@ enum class RowParts { rates, attitude, both };
 WrongLaws wrong_laws(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
                      RowParts parts, const RelativeNoise& noise);
 
-/// The larger one of the misses of the motion of a free body, as in WrongLaws.
-double largest_miss(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
-                    RowParts parts, const RelativeNoise& noise);
+/// The misses of a law, as in WrongLaws.
+struct LawMiss {
+  double rates, attitude;
+
+  double worst() const { return std::max(rates, attitude); }
+};
+
+/// The misses of the motion of a free body.
+LawMiss free_body_miss(const Eigen::Matrix3d& inertia, std::span<const recording::Row> rows,
+                       RowParts parts, const RelativeNoise& noise);
 
 }  // namespace twrench::check
