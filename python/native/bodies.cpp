@@ -53,7 +53,8 @@ Shape mesh_of_file(const std::string& file, std::optional<double> scale, double 
                    double shell) {
   const py::gil_scoped_release others_run;
   scene::MeshFiles files = scene::MeshFiles::beside("");
-  const auto& [shape, source, notes] = files.read(file, {scale, weld, shell});
+  const auto& [shape, source, notes] =
+      files.read(file, {.scale = scale, .weld = weld, .shell = shell});
   return {shape, source, notes};
 }
 
@@ -71,7 +72,8 @@ Shape mesh_of_arrays(const ArrayOf<double>& vertices, const ArrayOf<std::uint32_
   std::copy_n(triangles.data(), triangles.size(), mesh.triangles.data()->data());
   std::copy_n(colors.data(), colors.size(), mesh.colors.data()->data());
   const py::gil_scoped_release others_run;
-  mesh::MeshFile checked = mesh::checked_mesh("mesh", std::move(mesh), {scale, weld, shell});
+  mesh::MeshFile checked =
+      mesh::checked_mesh("mesh", std::move(mesh), {.scale = scale, .weld = weld, .shell = shell});
   return {std::move(checked.shape), {}, std::move(checked.notes)};
 }
 

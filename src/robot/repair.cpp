@@ -32,7 +32,11 @@ struct Plan {
   std::string reason;
 };
 
-std::string digits(double value) { return fmt::format("{:.12g}", value); }
+/// `scale` is the size of the greatest number of its kind, beside which round-off is 0.
+std::string digits(double value, double scale) {
+  constexpr double round_off = 1e-12;
+  return fmt::format("{:.12g}", std::abs(value) < round_off * scale ? 0.0 : value);
+}
 
 /// Whether a number needs to be written: it differs from the one in the file by more than its last
 /// digit.
@@ -42,16 +46,17 @@ bool differs(double a, double b, double scale) { return std::abs(a - b) > 1e-11 
 bool add_edit(const Written& written, double value, double scale, std::vector<Edit>& edits) {
   if (!differs(written.value, value, scale)) return true;
   if (!written.place) return false;
-  edits.push_back({*written.place, digits(value)});
+  edits.push_back({*written.place, digits(value, scale)});
   return true;
 }
 
 /// An attribute `diaginertia` becomes `fullinertia` in the axes of the link, without a rotation.
 void add_full_matrix(const Inertial& inertial, const Matrix3d& inertia, std::vector<Edit>& edits) {
+  const double scale = inertia.cwiseAbs().maxCoeff();
   std::string text = " fullinertia=\"";
   for (std::size_t i = 0; i < entry_indices.size(); ++i) {
     const auto [row, column] = entry_indices[i];
-    text += (i == 0 ? "" : " ") + digits(inertia(row, column));
+    text += (i == 0 ? "" : " ") + digits(inertia(row, column), scale);
   }
   edits.push_back({*inertial.diagonal, text + "\""});
   for (const Span& rotation : inertial.rotations) edits.push_back({rotation, ""});

@@ -232,7 +232,6 @@ ordered_json shot_schema() {
   }
   ordered_json schema = table_schema("A shot of the film", std::move(properties));
   schema.update(required(required_keys(shot_keys())));
-  schema["not"] = required({"part", "body"});
   return schema;
 }
 
@@ -270,7 +269,7 @@ ordered_json scene_schema() {
       table_schema("A rigid body, its motion and its film. Lengths are in cm, masses in "
                    "g, times in s and angles in rad.",
                    std::move(properties)));
-  schema.update(one_of({"part", "body"}));
+  schema["anyOf"] = ordered_json::array({required({"part"}), required({"body"})});
   schema["$defs"] = {{"part", part_schema()}, {"body", body_schema()}, {"shot", shot_schema()}};
   return schema;
 }

@@ -70,7 +70,7 @@ TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench plot dzh"), "dzhanibekov\n");
   EXPECT_EQ(offered("twrench study --format \"\""), "text csv json\n");
   EXPECT_EQ(offered("twrench simulate --format \"\""), "csv json\n");
-  EXPECT_EQ(offered("twrench inertia --format \"\""), "text json\n");
+  EXPECT_EQ(offered("twrench inertia --format \"\""), "text json junit\n");
   EXPECT_EQ(offered("twrench doctor --format \"\""), "text json\n");
   EXPECT_EQ(offered("twrench render --backend \"\""), "auto osmesa egl\n");
   EXPECT_EQ(offered("twrench cases gaz"), "gazebo-box\n");

@@ -28,7 +28,6 @@ BAD_SCENES = {
     "unknown key": (BODY + "[film]\nfsp = 30", "fsp"),
     "title no text": ("title = 3\n" + BODY, "title"),
     "no body": ("title = 'x'", "part"),
-    "parts and moments": (BODY + SOLID, "part"),
     "omega of two numbers": (BODY + "[motion]\nomega = [1, 2]", "omega"),
     "omega no array": (BODY + "[motion]\nomega = 1", "omega"),
     "omega out of range": (BODY + "[motion]\nomega = [1e13, 0, 0]", "omega"),
@@ -165,7 +164,7 @@ def test_all_scenes_are_found():
     assert len(EXAMPLES) >= 9
 
 
-@pytest.mark.parametrize("text", [BODY, SOLID, SHOT], ids=["body", "solid", "shot"])
+@pytest.mark.parametrize("text", [BODY, SOLID, BODY + SOLID, SHOT], ids=["body", "solid", "both", "shot"])
 def test_what_the_mistakes_are_made_in_is_accepted(validator, tmp_path, text):
     (tmp_path / "good.toml").write_text(text)
     assert run("inertia", "good.toml", folder=tmp_path).returncode == 0
