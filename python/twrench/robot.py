@@ -93,6 +93,7 @@ class Robot:
 
         What is not read, such as a mesh that is missing, is a warning.
 
+        :param path: a file in URDF, SDF or MJCF; its root element decides.
         :param package_path: folders that contain the packages or models of the file; the folders
             above it are searched too.
         :raises UsageError: for a mistake in the file.
