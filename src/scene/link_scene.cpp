@@ -50,8 +50,7 @@ Body link_body(const robot::JudgedRobot& judged, std::size_t link) {
                           "choose a link that has an <inertial>");
   }
   if (!(diagnosis.moments[0] > 0.0) || !(diagnosis.body.mass > 0.0)) {
-    throw InvalidArgument(what, diagnosis.faults.front().text,
-                          "repair it first: twrench inertia FILE --fix OUT");
+    throw InvalidArgument(what, diagnosis.faults.front().text, "repair the file first");
   }
   return link_body(judged, link, diagnosis.body);
 }

@@ -38,6 +38,7 @@ std::vector<FilmGolden> film_goldens() {
        590,
        {1, 0.05, 0},
        1.5707963},
+      {"film-inertia", {inertia}, scene::View::wrench, 600},
       {"film-insets", {momentum, omega, trail, sphere, poinsot}, scene::View::wrench, 600},
       {"film-momentum", {trail}, scene::View::momentum, 280},
       {"film-phase", {trail, phase}, scene::View::momentum, 280, {0.2, 0.3, -1}},
