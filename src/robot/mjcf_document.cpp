@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Readers visit nested elements recursively.
-constexpr std::size_t deepest_include = 1000;
+constexpr std::size_t deepest_include = 100;
 
 /// Adds the attributes of the element. A rotation replaces one of another kind.
 void add_attributes(const Element& element, AttributeMap& attributes) {

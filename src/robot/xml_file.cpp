@@ -18,7 +18,7 @@ constexpr std::size_t most_bytes = std::size_t{64} << 20U;
 constexpr std::string_view white_space = " \t\r\n";
 
 /// Readers visit nested elements recursively.
-constexpr std::size_t most_nested = 1000;
+constexpr std::size_t most_nested = 200;
 
 /// Returns half a unit of the last digit of a number.
 double resolution_of(std::string_view digits) {

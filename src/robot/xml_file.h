@@ -19,7 +19,7 @@ namespace twrench::robot {
 class XmlFile {
  public:
   /// Throws system::FileError if the file cannot be read, is longer than 64 MiB, or is damaged, and
-  /// InvalidArgument if elements are nested more than 1000 deep.
+  /// InvalidArgument if elements are nested more than 200 deep.
   explicit XmlFile(const std::filesystem::path& file);
   /// The same with the bytes of the file.
   XmlFile(std::string text, const std::filesystem::path& file);

@@ -286,8 +286,9 @@ TEST_F(MeshBody, OfMomentsHasTheShapeThatIsAskedFor) {
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(
       refused.err,
-      HasSubstr("--shape: applies only to a body given by its inertia, and this body has parts\n"
-                "  give its moments by --inertia, or leave --shape out"));
+      HasSubstr(
+          "--shape: applies only to a body given by its inertia alone, and this body has parts\n"
+          "  give its moments by --inertia, or leave --shape out"));
   EXPECT_EQ(render("--shape crosss", "moments.toml").code, 2);
 }
 

@@ -258,8 +258,8 @@ TEST(Mjcf, ReadsBodiesThatAreNestedDeeplyButNotTooDeeply) {
     for (int i = 0; i < depth; ++i) text += "</body>";
     return text;
   };
-  EXPECT_EQ(mjcf(nested(990)).links.back().parent, "988");
-  EXPECT_THAT(mjcf_refusal(nested(100'000)), HasSubstr("elements are nested more than 1000 deep"));
+  EXPECT_EQ(mjcf(nested(190)).links.back().parent, "188");
+  EXPECT_THAT(mjcf_refusal(nested(100'000)), HasSubstr("elements are nested more than 200 deep"));
 }
 
 }  // namespace

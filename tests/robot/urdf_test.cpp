@@ -122,7 +122,7 @@ TEST(Urdf, RefusesWhatItCannotRead) {
   for (int i = 0; i < 100'000; ++i) nested += "<a>";
   for (int i = 0; i < 100'000; ++i) nested += "</a>";
   EXPECT_THAT(refusal(nested + "</robot>"),
-              HasSubstr("robot.urdf:1: a: elements are nested more than 1000 deep"));
+              HasSubstr("robot.urdf:1: a: elements are nested more than 200 deep"));
   EXPECT_THAT(refusal(robot_of("<xacro:property name='x'/>")), HasSubstr("run xacro first"));
   EXPECT_THAT(refusal(robot_of(link_of("<inertial><mass value='0,5'/><inertia/></inertial>"))),
               HasSubstr("value is '0,5', which is not a number; write 0.5"));
