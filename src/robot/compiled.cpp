@@ -55,7 +55,7 @@ std::optional<LinkMass> unscaled(const Link& link, const LinkGeometry& geometry,
     body = {*model->mass, model->body.centre, *model->mass * model->body.inertia};
     principal = principal_of(body.inertia);
   } else if (const auto& inertial = link.inertial) {
-    body = {inertial->mass.value, inertial->centre_of_mass(), inertial->inertia()};
+    body = stated_mass(*inertial);
     principal = principal_of(inertial->matrix());
     principal.axes = inertial->link_from_inertial * principal.axes;
   }

@@ -23,10 +23,6 @@ constexpr double tolerance = 1e-6;
 /// mass in its centre.
 constexpr double much_smaller = 1e-3;
 
-LinkMass stated_mass(const Inertial& inertial) {
-  return {inertial.mass.value, inertial.centre_of_mass(), inertial.inertia()};
-}
-
 bool is_finite(const LinkMass& body) {
   return std::isfinite(body.mass) && body.centre.allFinite() && body.inertia.allFinite();
 }
@@ -214,6 +210,10 @@ Diagnosis diagnosis_of_geometry(const std::optional<LinkMass>& body) {
 }
 
 }  // namespace
+
+LinkMass stated_mass(const Inertial& inertial) {
+  return {inertial.mass.value, inertial.centre_of_mass(), inertial.inertia()};
+}
 
 Matrix3d second_moments(const Matrix3d& inertia) {
   return 0.5 * inertia.trace() * Matrix3d::Identity() - inertia;

@@ -20,6 +20,9 @@ struct LinkMass {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
+/// Returns the mass properties that the file states.
+LinkMass stated_mass(const Inertial& inertial);
+
 /// Returns the second moments of the mass about its centre in kg m^2: the integral of r r^T dm. A
 /// body exists if this matrix has no negative eigenvalue, which is the triangle inequality of the
 /// principal moments.

@@ -287,7 +287,7 @@ double misfit_of(const LinkMass& body, const MassModel& model) {
 }
 
 std::optional<Agreement> agreement(const Inertial& inertial, const std::vector<MassModel>& models) {
-  const LinkMass stated{inertial.mass.value, inertial.centre_of_mass(), inertial.inertia()};
+  const LinkMass stated = stated_mass(inertial);
   for (const MassModel& model : models) {
     const double misfit = misfit_of(stated, model);
     if (misfit <= relative_resolution(inertial)) return Agreement{model.source, misfit};

@@ -106,12 +106,12 @@ Eigen::Matrix3d Inertial::inertia() const {
   return link_from_inertial * matrix() * link_from_inertial.transpose();
 }
 
-const Link& Robot::link(const std::string& wanted) const {
-  const auto found = std::ranges::find(links, wanted, &Link::name);
-  if (found != links.end()) return *found;
+std::size_t Robot::index(const std::string& wanted, const std::string& what) const {
   std::vector<std::string> names;
   for (const Link& link : links) names.push_back(link.name);
-  throw unknown_name("link", wanted, names);
+  const auto found = std::ranges::find(names, wanted);
+  if (found == names.end()) throw unknown_name(what, wanted, names);
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 bool is_robot_name(const std::filesystem::path& file) {

@@ -142,8 +142,11 @@ struct Robot {
   /// Other files that belong to it.
   std::vector<std::filesystem::path> others = {};
 
-  /// Returns a link. Throws InvalidArgument about "link", with the nearest name, if there is none.
-  const Link& link(const std::string& wanted) const;
+  /// Returns the index of a link. Throws InvalidArgument about `what`, with the nearest name, if
+  /// there is none.
+  std::size_t index(const std::string& wanted, const std::string& what) const;
+  /// Returns the link.
+  const Link& link(const std::string& wanted) const { return links[index(wanted, "link")]; }
 };
 
 /// Returns whether the name has an extension of a robot description: .urdf, .sdf, .world, .mjcf or

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "base/words.h"
 #include "scene/limits.h"
 
 namespace twrench::scene {
@@ -32,15 +30,6 @@ std::string place_of(const robot::JudgedRobot& judged, std::size_t link) {
 }
 
 }  // namespace
-
-std::size_t link_index(const robot::Robot& robot, const std::string& link,
-                       const std::string& what) {
-  std::vector<std::string> names;
-  for (const robot::Link& other : robot.links) names.push_back(other.name);
-  const auto found = std::ranges::find(names, link);
-  if (found == names.end()) throw unknown_name(what, link, names);
-  return static_cast<std::size_t>(found - names.begin());
-}
 
 Body link_body(const robot::JudgedRobot& judged, std::size_t link) {
   const robot::Diagnosis& diagnosis = judged.diagnoses[link];

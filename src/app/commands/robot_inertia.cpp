@@ -122,7 +122,8 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
   if (!repair_options.page.empty())
     page = files.add_output(system::robot_page, repair_options.page);
   for (const std::string& note : judged.notes) warn(with_arguments(note, option_text));
-  const robot::Repair repair = robot::repair(judged, repair_options.from_mesh);
+  robot::Repair repair;
+  if (page || fixed_file) repair = robot::repair(judged, repair_options.from_mesh);
   if (page) {
     system::write_output(*page,
                          robot_html(judged, repair, pictures_of(judged, repair), option_text));

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "app/options/arguments.h"
-#include "scene/link_scene.h"
 
 namespace twrench::app {
 namespace {
@@ -48,7 +47,7 @@ robot::JudgedRobot RobotOptions::read(const std::string& file) const {
 }
 
 std::size_t RobotOptions::index(const robot::Robot& robot) const {
-  if (!link_.empty()) return scene::link_index(robot, link_, "--link");
+  if (!link_.empty()) return robot.index(link_, "--link");
   std::vector<std::string> names;
   for (const robot::Link& link : robot.links) names.push_back(link.name);
   throw InvalidArgument(robot.file.string(), "it has several links, and one of them is the body",
