@@ -53,6 +53,7 @@ FeatureName = Literal[
     "tip",
     "tilt",
     "moments",
+    "inertia",
 ]
 ForceName = Literal["centrifugal", "coriolis", "euler", "constraint", "sum"]
 #: A rate: a number, or a fraction such as ``"30000/1001"``.
