@@ -122,6 +122,16 @@ void show_recording(scene::Scene& scene, const Source& source, const Given& give
   });
 }
 
+/// The same for the recording that the scene file names.
+void show_own_recording(scene::Scene& scene) {
+  const py::gil_scoped_release others_run;
+  on_scene([&] {
+    replay::show_own_recording(scene);
+    scene::set_natural_times(scene);
+    scene::check_shown_motion(scene);
+  });
+}
+
 /// Reads a recording in the convention that is given, or that its names determine. Returns the time
 /// of its first row on the clock, the times since then, the rates and the attitudes by their rows;
 /// those that it does not have are empty.
@@ -242,6 +252,7 @@ void add_checks(py::module_& module) {
       .def_readonly("junit", &CheckReports::junit);
   module.def("read_recording", &read_recording);
   module.def("show_recording", &show_recording);
+  module.def("show_own_recording", &show_own_recording);
   module.def("check", &check_recordings);
   module.def("compare", &compare_pictures);
 }

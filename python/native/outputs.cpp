@@ -96,7 +96,9 @@ ScenePage page_of(const Scene& scene, const Scene& original, const std::string& 
                   const std::atomic<bool>& stop) {
   const std::string empty = page::page_template(template_file);
   Texts recording_options;
-  if (scene.motion.recording) recording_options = {"--motion", scene.motion.recording->file};
+  const bool is_own = scene.motion.recording_file != nullptr;
+  if (scene.motion.recording && !is_own)
+    recording_options = {"--motion", scene.motion.recording->file};
   const page::PageScene shown{scene,          original,          source,
                               source_options, recording_options, has_article};
   film::PagePictures pictures;

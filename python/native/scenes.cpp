@@ -141,6 +141,9 @@ void add_scenes(py::module_& module) {
       .def_readonly("name", &Scene::name)
       .def_property_readonly("shows_recording",
                              [](const Scene& scene) { return scene.motion.recording != nullptr; })
+      .def_property_readonly(
+          "names_recording",
+          [](const Scene& scene) { return scene.motion.recording_file != nullptr; })
       .def("get", &get_value)
       .def("set", &set_value)
       .def("set_number",  // which JSON cannot do for infinity

@@ -241,6 +241,7 @@ def case_json(name: str) -> str: ...
 
 class Scene:
     body: Body
+    names_recording: bool
     shows_recording: bool
     def __init__(self, other: Scene) -> None: ...
     @staticmethod
@@ -343,6 +344,7 @@ def show_recording(
     source: str | tuple[str, list[tuple[str, _Array]]],
     convention: Mapping[str, str | bool | _Array],
 ) -> None: ...
+def show_own_recording(scene: Scene) -> None: ...
 def check(
     sources: list[str | tuple[str, list[tuple[str, _Array]]]],
     steps: list[float],

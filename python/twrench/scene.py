@@ -10,6 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import (
     Any,
+    Callable,
     Collection,
     Generic,
     Iterable,
@@ -201,8 +202,8 @@ class Scene:
     :param density: density of a mesh in g/cm^3; 1 unless it or the mass is given.
     :param mass: mass of a mesh in g, instead of ``density``.
     :param body: a body that replaces that of the scene.
-    :param motion: a :class:`Recording` that the scene shows instead of a computed motion. Frames, films
-        and exports then show it; ``compare=["exact"]`` shows the free motion beside it. What needs
+    :param motion: a :class:`Recording` that the scene shows instead of a computed motion, or of the
+        recording that its file names. Frames, films and exports then show it; ``compare=["exact"]`` shows the free motion beside it. What needs
         the free motion of the body is left out, with a warning, if the recording does not follow it.
     :param unknown: no other arguments are accepted; the error proposes the nearest name.
     :raises SceneError: for a mistake; the message names file, line and key.
@@ -387,16 +388,18 @@ class Scene:
             else:
                 self._native.set(key, "null")  # raises an error that lists the keys
         if "motion" in values:  # after what it is compared with
-            self._show_recording(values["motion"])
+            recording = _arguments.instance("motion", values["motion"], Recording)
+            self._show(lambda: _native.show_recording(self._native, *recording._origin))
+        elif self._native.names_recording:
+            self._show(lambda: _native.show_own_recording(self._native))
         if "length" in values:  # last, because it follows from the others or determines one of them
             if "duration" in values and "speed" in values:
                 raise SceneError("length: duration and speed determine it; leave out one of the three")
             self._set_length(values["length"], "duration" in values)
 
-    def _show_recording(self, recording: Any) -> None:
-        source, convention = _arguments.instance("motion", recording, Recording)._origin
+    def _show(self, recording: Callable[[], None]) -> None:
         before = self._native.notes()
-        _native.show_recording(self._native, source, convention)
+        recording()
         for note in self._native.notes():
             if note not in before:
                 warnings.warn(note, stacklevel=4)
@@ -662,7 +665,6 @@ class Scene:
         :raises OverwriteError: if another file would be replaced.
         :raises Error: if gnuplot, which draws the figures, is missing or fails.
         """
-        self._require_computed("a report")
         return write_report([self], path, author, date, static, overwrite, solves_tasks=False)
 
     def export(
@@ -846,6 +848,8 @@ def write_report(
     solves_tasks: bool,
 ) -> Path:
     """Writes a report for :meth:`Scene.report` or :func:`twrench.report`."""
+    for scene in scenes:
+        scene._require_computed("a report")
     output = output_of_all("report", scenes, path, overwrite)
     reported = [
         (scene._snapshot(), scene._original, [scene._source, *_mesh_words(scene._of_mesh)])

@@ -151,6 +151,8 @@ std::string value_form(scene::ValueForm::Kind kind, const std::string& placehold
       return "[\"" + italic("name") + "\", ...]";
     case vectors:
       return "[[" + italic("x") + ", " + italic("y") + ", " + italic("z") + "], ...]";
+    case flag:
+      return "true|false";
   }
   return {};
 }
@@ -253,6 +255,8 @@ std::string scene_page(const std::string& example, const Release& release) {
     }
     page += field_entry(field);
   }
+  page += ".SS [motion] of a recording\nInstead of omega and method, the file of a motion:\n" +
+          key_entries(scene::recording_keys());
   page +=
       ".SS [[shot]]\nOne table for each shot of a film. It may also have the "
       "tables of the body, motion, look, camera and overlay.\n" +

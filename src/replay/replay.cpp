@@ -25,6 +25,7 @@
 #include "recording/motion_of_rows.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
+#include "scene/recording_file.h"
 #include "scene/shown_recording.h"
 #include "system/bytes.h"
 
@@ -239,10 +240,9 @@ void set_start(scene::Motion& motion, const std::optional<check::CheckedFile>& f
   motion.attitude = X.normalized();
 }
 
-}  // namespace
-
-void show_recording(scene::Scene& scene, const Recording& recording,
-                    const recording::Convention& given, Body body) {
+/// Sets Motion::recording and the initial condition.
+void play(scene::Scene& scene, const Recording& recording, const recording::Convention& given,
+          Body body) {
   const std::string& name = recording.name();
   require_one_motion(scene, name);
   std::optional<check::CheckedFile> file;
@@ -276,13 +276,27 @@ void show_recording(scene::Scene& scene, const Recording& recording,
                             .notes = std::move(notes)});
   std::vector<std::string>& compared = scene.overlay.compare;
   if (!compared.empty()) compared.insert(compared.begin(), scene::recorded_name);
+}
+
+}  // namespace
+
+void show_recording(scene::Scene& scene, const Recording& recording,
+                    const recording::Convention& given, Body body) {
+  play(scene, recording, given, body);
+  scene.motion.recording_file = nullptr;
   if (scene.origins.title != scene::Origin::user) {
-    scene.title = std::filesystem::path(name).filename().string();
+    scene.title = std::filesystem::path(recording.name()).filename().string();
   }
   for (const auto member : scene::all_origins) {
     scene::Origin& origin = scene.origins.*member;
     if (origin == scene::Origin::scene) origin = scene::Origin::none;
   }
+}
+
+void show_own_recording(scene::Scene& scene) {
+  const std::shared_ptr<const scene::RecordingFile> own = scene.motion.recording_file;
+  const Recording whole(own->path);
+  play(scene, whole.between({own->from, own->to}), own->convention, Body::known);
 }
 
 }  // namespace twrench::replay

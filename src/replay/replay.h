@@ -11,7 +11,8 @@ enum class Body { known, unknown };
 
 /// Lets the scene show a recorded motion of its body: sets Motion::recording, the initial condition
 /// of the free motion that fits it, and the title. With Overlay::compare, the recorded motion comes
-/// first. The times that the author chose for another motion no longer apply. Overlays that need a
+/// first. The recording replaces Motion::recording_file, and the times that the author chose for
+/// another motion no longer apply. Overlays that need a
 /// free motion are left out, with a note, if the recording does not follow one. If the body is not
 /// known, the scene gets a box and the name of the recording, and no free motion is fitted.
 ///
@@ -21,5 +22,10 @@ enum class Body { known, unknown };
 /// shows motions that differ in their start.
 void show_recording(scene::Scene& scene, const recording::Recording& recording,
                     const recording::Convention& given, Body body = Body::known);
+
+/// Lets the scene show Motion::recording_file. The title and the times of the scene stay, because
+/// its author chose them for this recording. Throws as show_recording() and recording::Recording
+/// do.
+void show_own_recording(scene::Scene& scene);
 
 }  // namespace twrench::replay

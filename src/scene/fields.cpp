@@ -15,6 +15,7 @@
 
 #include "base/enumeration.h"
 #include "scene/fraction.h"
+#include "scene/keys.h"
 #include "scene/languages.h"
 #include "scene/limits.h"
 #include "scene/materials.h"
@@ -241,8 +242,7 @@ auto angular_velocity() {
 
 /// The identity is the default, so that a scene that gives it is the same as one that does not.
 auto initial_attitude() {
-  // The length is 1 within 0.1.
-  return Conversion{{.limit = limits::Limit{-1.1, 1.1}},
+  return Conversion{{.limit = unit_quaternion},
                     [](const Eigen::Vector4d& quaternion,
                        const std::string& what) -> std::optional<Eigen::Quaterniond> {
                       const Eigen::Quaterniond attitude = limits::check_rotation(what, quaternion);

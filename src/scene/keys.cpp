@@ -9,6 +9,7 @@
 #include "base/enumeration.h"
 #include "body/dimensions.h"
 #include "mesh/mesh_file.h"
+#include "recording/conventions/convention.h"
 #include "scene/dimensions.h"
 #include "scene/materials.h"
 #include "scene/scene.h"
@@ -40,6 +41,28 @@ std::vector<Key> dimension_keys(body::Shape shape) {
     keys.push_back(dimension_key(dimension));
   }
   return keys;
+}
+
+ValueForm form_of(const recording::Field& field) {
+  switch (field.form) {
+    case recording::FieldForm::flag:
+      return {ValueForm::Kind::flag};
+    case recording::FieldForm::rotation:
+      return {ValueForm::Kind::quaternion, unit_quaternion};
+    case recording::FieldForm::text:
+    case recording::FieldForm::unasked:
+      break;
+  }
+  return {ValueForm::Kind::text, {}, field.words};
+}
+
+Key convention_key(const recording::Field& field) {
+  // After a colon, the help lists the words, which are the names of the form.
+  const std::size_t end = field.words.empty() ? std::string::npos : field.help.rfind(": ");
+  return {.name = field.name,
+          .help = "of the recording: " + field.help.substr(0, end),
+          .form = form_of(field),
+          .otherwise = field.otherwise};
 }
 
 std::vector<std::string> shape_names() {
@@ -197,6 +220,31 @@ const std::vector<Key>& shot_keys() {
        .form = {number, limits::shot_start},
        .otherwise = "the end of the previous shot of the same motion, or 0"},
   };
+  return all;
+}
+
+const std::vector<Key>& recording_keys() {
+  static const std::vector<Key> all = [] {
+    using enum ValueForm::Kind;
+    std::vector<Key> keys{
+        {.name = recording_file_key,
+         .help =
+             "path of a file of times and attitudes, rates or both, from the folder of the scene "
+             "file: the recorded motion that the scene shows",
+         .form = {text}},
+        {.name = "from",
+         .help = "leave out the rows of the recording before this time, s since the first row",
+         .form = {number, limits::coordinate},
+         .otherwise = "the first row"},
+        {.name = "to",
+         .help = "leave out the rows of the recording after this time, s since the first row",
+         .form = {number, limits::coordinate},
+         .otherwise = "the last row"}};
+    for (const recording::Field& field : recording::convention_fields()) {
+      if (field.form != recording::FieldForm::unasked) keys.push_back(convention_key(field));
+    }
+    return keys;
+  }();
   return all;
 }
 

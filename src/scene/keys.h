@@ -8,8 +8,9 @@
 
 #include "scene/value_form.h"
 
-// The keys of the tables that hold no fields: [[part]], [body] and [[shot]]. The reader takes their
-// limits and names from here, and the schema and the manual page are generated from them.
+// The keys that are no fields: those of [[part]], [body] and [[shot]], and those of [motion] that
+// name a recording. The reader takes their limits and names from here, and the schema and the
+// manual page are generated from them.
 
 namespace twrench::scene {
 
@@ -50,6 +51,19 @@ const std::vector<Key>& body_keys();
 
 /// Returns the keys of [[shot]] that are neither tables nor arrays of tables.
 const std::vector<Key>& shot_keys();
+
+/// Returns the keys of [motion] that name a recorded motion: its file, the rows that are shown, and
+/// the fields of recording::Convention.
+const std::vector<Key>& recording_keys();
+
+/// The limits of the components of a quaternion, whose length is 1 within 0.1.
+inline constexpr limits::Limit unit_quaternion{-1.1, 1.1};
+
+/// The key without which the other recording_keys() have no meaning.
+inline constexpr const char* recording_file_key = "file";
+
+/// The keys of [motion] that a recorded motion excludes.
+inline constexpr std::array keys_of_computed_motions{"omega", "method"};
 
 /// The `start` of a shot that shows the body as the previous one ended.
 inline constexpr const char* match_name = "match";

@@ -26,8 +26,8 @@ struct MeshEntry {
 MeshEntry mesh_entry(mesh::MeshFile mesh, const std::string& file,
                      const std::filesystem::path& path, const mesh::ReadOptions& options);
 
-/// The files that a scene file names: its meshes and its sounds. Each mesh is read once, even if
-/// several parts use it.
+/// The files that a scene file names: its meshes, its sounds and its recording. Each mesh is read
+/// once, even if several parts use it.
 class MeshFiles {
  public:
   /// The meshes of a scene file, with paths relative to its folder. If there is no such file, the
@@ -42,8 +42,11 @@ class MeshFiles {
   const MeshEntry& read(const std::string& file, const mesh::ReadOptions& options);
 
   /// Returns the sound file with that path from the folder of the scene file, without reading it.
-  SoundFile sound(const std::string& file) const {
-    return {file, folder_.value_or(std::filesystem::path()) / file};
+  SoundFile sound(const std::string& file) const { return {file, path_of(file)}; }
+
+  /// Returns the path of a file that the scene file names.
+  std::filesystem::path path_of(const std::string& file) const {
+    return folder_.value_or(std::filesystem::path()) / file;
   }
 
  private:

@@ -13,6 +13,7 @@
 #include "base/enumeration.h"
 #include "scene/limits.h"
 #include "scene/phrase.h"
+#include "scene/recording_file.h"
 #include "scene/shown_recording.h"
 
 namespace twrench::scene {
@@ -192,6 +193,7 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
   }
   if (scene.film.audio.is_given()) files.push_back(scene.film.audio.path);
   const ShownRecording* const recording = scene.motion.recording.get();
+  if (scene.motion.recording_file) files.push_back(scene.motion.recording_file->path);
   if (recording != nullptr && !recording->path.empty()) files.push_back(recording->path);
   for (const Shot& shot : scene.shots) {
     if (shot.narration.is_given()) files.push_back(shot.narration.path);

@@ -24,6 +24,7 @@
 
 namespace twrench::scene {
 
+struct RecordingFile;
 struct ShownRecording;
 
 /// How a part looks. Unset values are those of the scene's look.
@@ -106,6 +107,9 @@ struct Motion {
   motion::StepControl control;
   /// Duration of the motion in s.
   double duration = 96.0;
+  /// The file of the recorded motion that the scene file names; null for none. It is not read
+  /// before the motion is shown.
+  std::shared_ptr<const RecordingFile> recording_file = nullptr;
   /// The recorded motion that is shown instead of a computed one; null for none. The members above
   /// then describe a free motion to compare it with.
   std::shared_ptr<const ShownRecording> recording = nullptr;

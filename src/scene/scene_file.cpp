@@ -8,9 +8,11 @@
 #include "base/words.h"
 #include "embedded/scenes.h"
 #include "scene/fields.h"
+#include "scene/keys.h"
 #include "scene/mesh_files.h"
 #include "scene/mesh_scene.h"
 #include "scene/natural_times.h"
+#include "scene/recording_table.h"
 #include "scene/scene.h"
 #include "scene/scene_tables.h"
 #include "scene/shot_tables.h"
@@ -51,13 +53,21 @@ Scene parse(std::string_view text, const std::string& source, MeshFiles meshes) 
   read_fields(file, "", scene);
   scene.body = read_body(file, meshes);
   for (const std::string& name : field_tables()) {
-    file.table(name, [&](TomlTable& table) { read_fields(table, name, scene); });
+    file.table(name, [&](TomlTable& table) {
+      read_fields(table, name, scene);
+      if (name == "motion") scene.motion.recording_file = read_recording_file(table, meshes);
+    });
   }
   if (scene.film.audio.is_given()) scene.film.audio = meshes.sound(scene.film.audio.file);
   require_interior(file, scene);
   mark_as_of_scene(scene);
   set_natural_times(scene);
   read_shots(file, scene, meshes);
+  if (scene.motion.recording_file && !scene.shots.empty()) {
+    throw InvalidArgument(file.place("motion", recording_file_key),
+                          "each shot has its own motion, and this one is recorded",
+                          "leave out the shots, or the recording");
+  }
   file.finish();
   return scene;
 }

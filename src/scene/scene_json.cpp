@@ -7,6 +7,7 @@
 #include "base/enumeration.h"
 #include "body/dimensions.h"
 #include "scene/fields.h"
+#include "scene/recording_file.h"
 #include "scene/shown_recording.h"
 #include "system/bytes.h"
 
@@ -98,6 +99,19 @@ ordered_json body_json(const Body& body) {
   return json;
 }
 
+/// The keys that name the recorded motion, which are in one object, and how it was read.
+void add_recording(ordered_json& json, const Motion& motion) {
+  ordered_json recording = ordered_json::object();
+  if (motion.recording) recording["file"] = motion.recording->file;
+  if (motion.recording_file) recording.update(ordered_json::parse(motion.recording_file->keys));
+  if (motion.recording) {
+    // The digest reveals another recording, or another reading of it.
+    recording["sha256"] = motion.recording->sha256;
+    recording["drift"] = motion.recording->drift;
+  }
+  if (!recording.empty()) json["recording"] = std::move(recording);
+}
+
 ordered_json speed_json(const SpeedCurve& speed) {
   ordered_json json = ordered_json::array();
   for (const auto& [time, value] : speed.points) json.push_back({time, value});
@@ -132,12 +146,7 @@ ordered_json scene_json(const Scene& scene) {
     if (value.is_null()) continue;
     table_in(json, field.table)[field.key] = std::move(value);
   }
-  if (scene.motion.recording) {
-    // The digest reveals another recording, or another reading of it.
-    json["motion"]["recording"] = {{"file", scene.motion.recording->file},
-                                   {"sha256", scene.motion.recording->sha256},
-                                   {"drift", scene.motion.recording->drift}};
-  }
+  add_recording(json["motion"], scene.motion);
   json.update(body_json(scene.body));
   if (!scene.shots.empty()) {
     ordered_json shots = ordered_json::array();

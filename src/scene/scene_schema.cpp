@@ -64,6 +64,8 @@ ordered_json value_schema(const ValueForm& form) {
       return array_schema(text_schema(form), form.least, form.most);
     case ValueForm::Kind::vectors:
       return array_schema(numbers("number", 3), form.least, form.most);
+    case ValueForm::Kind::flag:
+      return {{"type", "boolean"}};
   }
   return {};
 }
@@ -215,6 +217,21 @@ ordered_json fields_of_shots(const std::string& table) {
   return properties;
 }
 
+/// Adds the keys that name a recorded motion. All need its file, which replaces what computes one.
+void add_recording_properties(ordered_json& motion) {
+  motion["properties"].update(key_properties(recording_keys()));
+  ordered_json needed = ordered_json::object();
+  for (const Key& key : recording_keys()) {
+    if (key.name != recording_file_key) needed[key.name] = {recording_file_key};
+  }
+  motion["dependentRequired"] = std::move(needed);
+  ordered_json rules = ordered_json::array();
+  for (const char* key : keys_of_computed_motions) {
+    rules.push_back({{"not", required({recording_file_key, key})}});
+  }
+  motion["allOf"] = std::move(rules);
+}
+
 /// Adds the tables that give a body.
 void add_body_properties(ordered_json& properties) {
   properties["part"] = array_of_tables("#/$defs/part", limits::max_parts);
@@ -262,6 +279,7 @@ ordered_json scene_schema() {
     }
     properties[field.table]["properties"][field.key] = std::move(schema);
   }
+  add_recording_properties(properties["motion"]);
   properties["shot"] = array_of_tables("#/$defs/shot", limits::max_shots);
   ordered_json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                       {"title", "Scene file of twrench"}};

@@ -54,6 +54,8 @@ void require_form(ValueForm::Kind kind, const ordered_json& value, const std::st
                                                                    &ordered_json::is_number);
                                                              }),
                      "an array of arrays of 3 numbers");
+    case ValueForm::Kind::flag:
+      return require(value.is_boolean(), "true or false");
   }
 }
 

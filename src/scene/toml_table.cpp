@@ -130,6 +130,9 @@ std::optional<ordered_json> TomlTable::value(const std::string& key, ValueForm::
       return texts(*node, place(key));
     case ValueForm::Kind::vectors:
       return vectors(*node, place(key));
+    case ValueForm::Kind::flag:
+      if (!node->is_boolean()) throw InvalidArgument(place(key), "must be true or false");
+      return node->as_boolean()->get();
   }
   return std::nullopt;
 }

@@ -21,6 +21,7 @@ struct ValueForm {
     text,        ///< A string.
     texts,       ///< An array of strings.
     vectors,     ///< An array of arrays of three numbers.
+    flag,        ///< true or false.
   };
   Kind kind = Kind::number;
   /// The limits of each number.

@@ -157,5 +157,138 @@ TEST_F(MotionFile, WithGapsMarksThem) {
   EXPECT_THAT(model.err, HasSubstr("leave them out by --from and --to, or write .csv"));
 }
 
+/// The same folder with a scene in scenes/toss.toml, which names the recording beside it.
+class OwnRecording : public MotionFile {
+ protected:
+  OwnRecording() {
+    std::filesystem::create_directory(folder_ / "scenes");
+    std::filesystem::rename(folder_ / "run.csv", folder_ / "scenes/run.csv");
+    write_scene("");
+  }
+
+  /// Writes the scene with more lines in [motion].
+  void write_scene(const std::string& lines) const {
+    std::ofstream(folder_ / "scenes/toss.toml")
+        << "title = 'A toss'\n[body]\nmoments = [2, 3, 4.5]\n[motion]\nfile = 'run.csv'\n"
+        << lines;
+  }
+
+  Outcome run(const std::string& words) const { return run_twrench(folder_, words); }
+
+  Outcome film(const std::string& options) const {
+    return run(
+        "render scenes/toss.toml --size 160x90 --progress none --frames 0-4 --no-video "
+        "--frames-dir f " +
+        options);
+  }
+
+  nlohmann::json scene_of_film() const {
+    return nlohmann::json::parse(text_of(folder_ / "f/manifest.json"))["scene"];
+  }
+};
+
+TEST_F(OwnRecording, IsPlayedByEveryCommandThatShowsAMotion) {
+  ASSERT_EQ(film("").code, 0);
+  const auto recording = scene_of_film()["motion"]["recording"];
+  EXPECT_EQ(recording["file"], "run.csv") << "as the scene file gives it, from any folder";
+  EXPECT_EQ(scene_of_film()["motion"]["duration"], 2);
+  EXPECT_EQ(scene_of_film()["title"], "A toss");
+
+  const Outcome rows = run("simulate scenes/toss.toml --times 0,1");
+  ASSERT_EQ(rows.code, 0) << rows.err;
+  EXPECT_EQ(rows.out, run("simulate --inertia 2,3,4.5 --motion scenes/run.csv --times 0,1").out);
+  EXPECT_EQ(run("export scenes/toss.toml -o a.aem").code, 0);
+  EXPECT_THAT(text_of(folder_ / "a.aem"), HasSubstr("run.csv"));
+  ASSERT_EQ(run("plot scenes/toss.toml -o a.svg").code, 0);
+  EXPECT_THAT(text_of(folder_ / "a.svg"), HasSubstr(">exact<"));
+  std::ofstream(folder_ / "t.html")
+      << "{{title}}{{title}}<!-- twrench:poster --><!-- twrench:scene -->";
+  const Outcome page = run("page scenes/toss.toml --template t.html --lab -o a.html");
+  ASSERT_EQ(page.code, 0) << page.err;
+  EXPECT_THAT(text_of(folder_ / "a.html"), HasSubstr("\"recording\":{\"file\":\"run.csv\""));
+  EXPECT_THAT(text_of(folder_ / "a.html"), HasSubstr("\"options\":[]")) << "the file names it";
+}
+
+TEST_F(OwnRecording, IsReadAsTheSceneAndThenTheOptionsSay) {
+  write_scene("from = 0.5\nto = 1.5\nunits = 'deg'\ninverse = true\noffset = [1, 0, 0, 0]\n");
+  ASSERT_EQ(film("").code, 0);
+  const auto recording = scene_of_film()["motion"]["recording"];
+  EXPECT_EQ(recording["units"], "deg");
+  EXPECT_EQ(recording["inverse"], true);
+  EXPECT_EQ(scene_of_film()["motion"]["duration"], 1);
+  ASSERT_EQ(film("--units rad --to 1.76 --overwrite").code, 0);
+  const auto changed = scene_of_film()["motion"]["recording"];
+  EXPECT_EQ(changed["units"], "rad");
+  EXPECT_EQ(changed["from"], 0.5);
+  EXPECT_EQ(changed["to"], 1.76);
+  EXPECT_EQ(scene_of_film()["motion"]["duration"], 1.26);
+  EXPECT_NE(changed["sha256"], recording["sha256"]);
+}
+
+TEST_F(OwnRecording, KeepsTheTimesOfItsSceneAndGivesWayToAnother) {
+  write_scene("duration = 1\n[film]\nspeed = 0.25\n");
+  ASSERT_EQ(film("").code, 0);
+  EXPECT_EQ(scene_of_film()["motion"]["duration"], 1);
+  EXPECT_EQ(scene_of_film()["film"]["speed"], 0.25);
+  std::filesystem::copy_file(folder_ / "scenes/run.csv", folder_ / "other.csv");
+  ASSERT_EQ(film("--motion other.csv --from 0.5 --overwrite").code, 0);
+  EXPECT_EQ(scene_of_film()["motion"]["recording"]["file"], "other.csv");
+  EXPECT_EQ(scene_of_film()["motion"]["duration"], 1.5) << "the times suit the other motion";
+}
+
+TEST_F(OwnRecording, IsAnInputOfEveryCommand) {
+  const std::string before = text_of(folder_ / "scenes/run.csv");
+  for (const char* command : {"simulate scenes/toss.toml", "export scenes/toss.toml",
+                              "inertia scenes/toss.toml --format json",
+                              "check scenes/run.csv --scene scenes/toss.toml"}) {
+    const Outcome refused = run(std::string(command) + " -o scenes/run.csv --overwrite");
+    EXPECT_EQ(refused.code, 2) << command << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("is an input of this command")) << command;
+  }
+  EXPECT_EQ(text_of(folder_ / "scenes/run.csv"), before);
+}
+
+TEST_F(OwnRecording, IsRefusedByWhatComputesMotions) {
+  for (const char* command : {"study", "report -o a.md"}) {
+    const Outcome refused = run(std::string(command) + " scenes/toss.toml");
+    EXPECT_EQ(refused.code, 2) << command;
+    EXPECT_THAT(refused.err,
+                HasSubstr("twrench: error: toss: the motion is recorded in run.csv, and a "));
+    EXPECT_THAT(refused.err, HasSubstr("use a scene whose [motion] has omega instead of file"));
+  }
+  const Outcome body = run("inertia scenes/toss.toml --format json");
+  EXPECT_EQ(body.code, 0) << body.err;
+  EXPECT_THAT(body.out, testing::Not(HasSubstr("\"phase\""))) << "it has no initial rates";
+  EXPECT_EQ(run("check scenes/run.csv --scene tennis-racket").code, 0);
+  const Outcome omega = film("--omega 1,2,3");
+  EXPECT_EQ(omega.code, 2);
+  EXPECT_THAT(omega.err, HasSubstr("--omega: the motion is recorded in run.csv"));
+}
+
+TEST_F(OwnRecording, ThatCannotBePlayedIsNamed) {
+  write_scene("duration = 3\n");
+  EXPECT_THAT(film("").err, HasSubstr("it lasts 2 s, but 3 s are to be shown"));
+  write_scene("from = 5\n");
+  EXPECT_THAT(film("").err, testing::StartsWith("twrench: error: scenes/run.csv: "));
+  write_scene("");
+  std::ofstream(folder_ / "scenes/run.csv") << "no table";
+  const Outcome text = film("");
+  EXPECT_EQ(text.code, 2);
+  EXPECT_THAT(text.err, testing::StartsWith("twrench: error: scenes/run.csv: ")) << text.err;
+  std::filesystem::remove(folder_ / "scenes/run.csv");
+  const Outcome none = film("");
+  EXPECT_EQ(none.code, 5);
+  EXPECT_THAT(none.err, HasSubstr("scenes/run.csv: No such file")) << none.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f"));
+}
+
+/// No free motion of a rigid body can be compared with it.
+TEST_F(OwnRecording, OfABodyWithAWheelIsShownWithoutAFreeMotion) {
+  write_scene("wheel = [0, 0, 5]\n");
+  const Outcome shown = film("");
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  EXPECT_THAT(shown.err, HasSubstr("no free motion of this body can be fitted to scenes/run.csv"));
+}
+
 }  // namespace
 }  // namespace twrench

@@ -61,6 +61,55 @@ def test_results_of_the_free_motion_are_refused(tmp_path):
         pickle.dumps(scene)
 
 
+TOSS = """title = "A toss"
+[body]
+moments = [2, 3, 4.5]
+[motion]
+file = "run.csv"
+from = 2
+[film]
+size = [160, 90]
+"""
+
+
+@pytest.fixture
+def toss(tmp_path):
+    """A scene file that names a recording beside it."""
+    motion = twrench.simulate(BODY, START, np.linspace(0, 20, 401), "exact")
+    motion.save(tmp_path / "run.csv")
+    (tmp_path / "toss.toml").write_text(TOSS)
+    return tmp_path / "toss.toml"
+
+
+def test_a_scene_file_names_its_recording(toss, program, tmp_path, monkeypatch):
+    scene = Scene(toss)
+    assert scene.title == "A toss" and scene.duration == 18 and scene.speed == 1
+    recording = scene.to_dict()["motion"]["recording"]
+    assert recording["file"] == "run.csv" and recording["from"] == 2
+    scene.render(frames_dir=tmp_path / "python", frames="300", progress=False)
+    options = ["--no-video", "--frames-dir", tmp_path / "program", "--frames", "300"]
+    program("render", toss, *options)
+    frame = "frame_000300.png"
+    assert (tmp_path / "python" / frame).read_bytes() == (tmp_path / "program" / frame).read_bytes()
+    with pytest.raises(twrench.OverwriteError, match="is an input"):
+        scene.export(tmp_path / "run.csv", overwrite=True)
+    monkeypatch.chdir(tmp_path)
+    text = Scene.from_toml(TOSS)
+    assert text.to_dict() == scene.to_dict()
+    assert Scene(toss, duration=3).duration == 3
+    other = Scene(toss, motion=recorded())
+    assert other.duration == 20 and "from" not in other.to_dict()["motion"]["recording"]
+
+
+def test_results_of_a_recording_that_a_file_names_are_refused(toss, tmp_path):
+    for refused in (Scene(toss).simulate, lambda: twrench.report(tmp_path / "a.md", [toss])):
+        with pytest.raises(UsageError, match="recording that the scene shows"):
+            refused()
+    (tmp_path / "run.csv").unlink()
+    with pytest.raises(twrench.FileError, match="run.csv: No such file"):
+        Scene(toss)
+
+
 def test_pages_and_plots_show_the_exact_motion_beside_it(tmp_path):
     scene = Scene(body=BODY, motion=recorded(), size=SIZE)
     template = tmp_path / "t.html"

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/recording_file.h"
 #include "scene/scene.h"
 #include "scene/scene_json.h"
 #include "scratch_folder.h"
@@ -59,6 +60,22 @@ TEST(SceneFile, NestedTooDeeplyIsRefusedWithoutNamesOfTheParser) {
 TEST(SceneFile, MayBeginWithAByteOrderMark) {
   EXPECT_EQ(parse_scene("\xEF\xBB\xBFtitle = 'a'\n[body]\nmoments = [2, 3, 4]\n", "a.toml").title,
             "a");
+}
+
+TEST(SceneFile, NamesARecordingWithoutReadingIt) {
+  const Scene scene = parse_scene(
+      "[body]\nmoments = [2, 3, 4]\n[motion]\nfile = 'run.csv'\nto = 2\ninverse = true\n",
+      "folder/a.toml");
+  const RecordingFile& recording = *scene.motion.recording_file;
+  EXPECT_EQ(recording.file, "run.csv");
+  EXPECT_EQ(recording.path, "folder/run.csv");
+  EXPECT_EQ(recording.from, -INFINITY);
+  EXPECT_EQ(recording.to, 2);
+  EXPECT_TRUE(recording.convention.inverse);
+  EXPECT_THAT(input_files(scene), testing::Contains("folder/run.csv"));
+  EXPECT_EQ(scene_json(scene)["motion"]["recording"],
+            nlohmann::ordered_json({{"file", "run.csv"}, {"to", 2.0}, {"inverse", true}}));
+  EXPECT_FALSE(parse_scene("[body]\nmoments = [2, 3, 4]\n", "a.toml").motion.recording_file);
 }
 
 TEST(SceneFile, ThatIsAnotherFileWithAWrongNameIsNamed) {

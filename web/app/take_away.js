@@ -92,6 +92,9 @@ function shownFeatures(state, data) {
   return [...new Set([...others, ...state.show])].filter((name) => hasMeaning(name, state, data));
 }
 
+/** The commands for a motion that no options make of the scene. */
+const commandsOfCopy = () => [`# ${word('notStory')}`, 'twrench render flip.toml -o flip.mp4'];
+
 /**
  * The commands for the page of a film that tells a story. Its shots are not in the page, and each has its
  * own motion and camera, so no options turn the story into the motion shown here.
@@ -101,8 +104,7 @@ function storyCommands(source) {
   return [
     `# ${word('story')}`,
     `twrench render ${quoted(source)} -o story.mp4`,
-    `# ${word('notStory')}`,
-    'twrench render flip.toml -o flip.mp4',
+    ...commandsOfCopy(),
   ].join('\n');
 }
 
@@ -126,6 +128,8 @@ export function commandLine(state, data, theme, model) {
     given = data.source_scene ?? data.scene;
   if (given.shot) return storyCommands(source);
   const hasRecording = showsRecording(state, data);
+  // The scene file names the recording instead of a start.
+  if (given.motion.recording && !hasRecording) return commandsOfCopy().join('\n');
   const parts = ['twrench render', ...[source, ...(data.source_options ?? [])].map(quoted)];
   if (hasRecording) parts.push(...(data.recording?.options ?? []).map(quoted));
   const inertia = state.moments ?? inertiaOf(data.scene.body);

@@ -244,6 +244,7 @@ struct InertiaOptions {
 };
 
 std::optional<Turn> turn_of(const scene::Scene& scene) {
+  if (scene.motion.recording_file) return std::nullopt;  // it has no initial angular velocity
   const auto phase = motion::phase_of(scene::free_body(scene));
   if (!phase) return std::nullopt;
   return Turn{scene.motion.omega, *phase};

@@ -22,6 +22,7 @@
 #include "report/command_lines.h"
 #include "report/file.h"
 #include "report/results.h"
+#include "scene/recording_table.h"
 #include "system/program.h"
 #include "text/escape.h"
 
@@ -85,6 +86,7 @@ struct ReportOptions {
 
 std::vector<report::Experiment> experiments_of(const ReportOptions& options) {
   std::vector<scene::Scene> scenes = options.scenes.scenes();
+  for (const scene::Scene& scene : scenes) scene::require_computed(scene, "a report");
   // The options change a single scene, as in the other commands.
   if (options.command.count("SCENE") == 0 && !options.solves_tasks()) scenes.resize(1);
   std::vector<report::Experiment> experiments;

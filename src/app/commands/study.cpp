@@ -14,6 +14,7 @@
 #include "plot/gnuplot.h"
 #include "plot/plots.h"
 #include "scene/limits.h"
+#include "scene/recording_table.h"
 #include "study/ladder.h"
 #include "system/output.h"
 #include "text/escape.h"
@@ -134,6 +135,7 @@ ExitCode run_study(const StudyOptions& options) {
   const std::optional<system::OutputFile> plot_file = plot::add_plot(files, options.plot);
   const std::vector<Bound> bounds = bounds_of(options);
   const scene::Scene scene = options.scene.scene();
+  scene::require_computed(scene, "a study");
   study::StudyPlan plan = plan_of(options, scene);
   if (plot_file && std::ranges::all_of(plan.methods, &motion::Method::exact)) {
     throw InvalidArgument("--plot", "the exact method alone has no steps to plot");

@@ -1,20 +1,23 @@
 #include "app/options/convention_options.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/options/arguments.h"
 #include "app/options/command_line.h"
 #include "app/terminal/message.h"
-#include "scene/limits.h"
+#include "scene/recording_table.h"
 
 namespace twrench::app {
+
+std::string name_of_option(const std::string& key) { return option_text(key, {}); }
 
 void ConventionOptions::add_to(CLI::App& command) {
   for (const recording::Field& field : recording::convention_fields()) add_option(command, field);
 }
 
 void ConventionOptions::add_option(CLI::App& command, const recording::Field& field) {
-  const std::string name = option_text(field.name, {});
+  const std::string name = name_of_option(field.name);
   switch (field.form) {
     case recording::FieldForm::unasked:
       return;
@@ -32,22 +35,25 @@ void ConventionOptions::add_option(CLI::App& command, const recording::Field& fi
   if (!field.words.empty()) option->check(one_of(name, field.words));
 }
 
-recording::Convention ConventionOptions::convention() const {
-  recording::Convention given;
+nlohmann::ordered_json ConventionOptions::values() const {
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
   for (const recording::Field& field : recording::convention_fields()) {
     const auto flag = flags_.find(field.name);
-    if (flag != flags_.end() && flag->second) field.set(given, true);
+    if (flag != flags_.end() && flag->second) values[field.name] = true;
     const auto text = texts_.find(field.name);
     if (text == texts_.end() || text->second.empty()) continue;
     if (field.form == recording::FieldForm::rotation) {
-      const std::string name = option_text(field.name, {});
-      const Eigen::Vector4d numbers = parse_quaternion(text->second, name);
-      field.set(given, scene::limits::check_rotation(name, numbers));
+      const Eigen::Vector4d q = parse_quaternion(text->second, name_of_option(field.name));
+      values[field.name] = std::vector<double>(q.begin(), q.end());
     } else {
-      field.set(given, text->second);
+      values[field.name] = text->second;
     }
   }
-  return given;
+  return values;
+}
+
+recording::Convention ConventionOptions::convention() const {
+  return scene::convention_of(values(), name_of_option);
 }
 
 std::vector<std::string> ConventionOptions::given() const {
@@ -55,9 +61,9 @@ std::vector<std::string> ConventionOptions::given() const {
   for (const recording::Field& field : recording::convention_fields()) {
     const auto flag = flags_.find(field.name);
     const auto text = texts_.find(field.name);
-    if (flag != flags_.end() && flag->second) words.push_back(option_text(field.name, {}));
+    if (flag != flags_.end() && flag->second) words.push_back(name_of_option(field.name));
     if (text != texts_.end() && !text->second.empty()) {
-      words.insert(words.end(), {option_text(field.name, {}), text->second});
+      words.insert(words.end(), {name_of_option(field.name), text->second});
     }
   }
   return words;

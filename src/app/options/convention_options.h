@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,18 @@
 
 namespace twrench::app {
 
+/// Returns the name of the option that gives a field or a key.
+std::string name_of_option(const std::string& key);
+
 /// The options that determine how a recording is read: one for each field of a convention. Must
 /// live as long as the command.
 class ConventionOptions {
  public:
   void add_to(CLI::App& command);
+
+  /// Returns the values of the options that were given, by the names of their fields. Throws
+  /// InvalidArgument.
+  nlohmann::ordered_json values() const;
 
   /// Returns how a recording is to be read, as far as the options determine it. Throws
   /// InvalidArgument.

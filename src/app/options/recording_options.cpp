@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/options/arguments.h"
@@ -10,6 +12,7 @@
 #include "recording/recording.h"
 #include "replay/replay.h"
 #include "scene/limits.h"
+#include "scene/recording_table.h"
 
 namespace twrench::app {
 
@@ -63,22 +66,46 @@ std::vector<std::string> RecordingOptions::given() const {
   return words;
 }
 
-void RecordingOptions::apply(scene::Scene& scene, bool has_body) const {
-  if (command_ == nullptr) return;
-  if (file_.empty()) {
-    const std::vector<std::string> others = given();
-    if (others.empty()) return;
-    throw InvalidArgument(others.front(), "it applies to a recorded motion, and there is none",
-                          "give the recording with --motion FILE, or leave the option out");
-  }
+void RecordingOptions::require_recorded() const {
+  const std::vector<std::string> others = given();
+  if (others.empty()) return;
+  throw InvalidArgument(others.front(), "it applies to a recorded motion, and there is none",
+                        "give the recording with --motion FILE, or leave the option out");
+}
+
+void RecordingOptions::require_nothing_computed(const std::string& file) const {
   for (const char* option : {"--omega", "--method"}) {
     if (command_->count(option) == 0) continue;
-    throw InvalidArgument(option, "the motion is recorded in " + file_,
+    throw InvalidArgument(option, "the motion is recorded in " + file,
                           "leave it out; --compare exact shows the free motion beside it");
   }
-  replay::show_recording(scene, recording::Recording(file_).between(extract_.extract()),
-                         convention_.convention(),
-                         has_body ? replay::Body::known : replay::Body::unknown);
+}
+
+std::shared_ptr<const scene::RecordingFile> RecordingOptions::with_options(
+    const scene::RecordingFile& own) const {
+  nlohmann::ordered_json keys = nlohmann::ordered_json::parse(own.keys);
+  const recording::Extract extract = extract_.extract();
+  if (std::isfinite(extract.from)) keys["from"] = extract.from;
+  if (std::isfinite(extract.to)) keys["to"] = extract.to;
+  keys.update(convention_.values());
+  return std::make_shared<const scene::RecordingFile>(
+      scene::recording_file(keys, own.path, name_of_option));
+}
+
+void RecordingOptions::apply(scene::Scene& scene, bool has_body) const {
+  if (command_ == nullptr) return;
+  if (!file_.empty()) {
+    require_nothing_computed(file_);
+    replay::show_recording(scene, recording::Recording(file_).between(extract_.extract()),
+                           convention_.convention(),
+                           has_body ? replay::Body::known : replay::Body::unknown);
+  } else if (scene.motion.recording_file) {
+    require_nothing_computed(scene.motion.recording_file->file);
+    scene.motion.recording_file = with_options(*scene.motion.recording_file);
+    replay::show_own_recording(scene);
+  } else {
+    require_recorded();
+  }
 }
 
 }  // namespace twrench::app

@@ -61,6 +61,8 @@ nlohmann::ordered_json parse_value(scene::ValueForm::Kind kind, const std::strin
       for (const auto& v : parse_vectors(text, option)) vectors.push_back(array_of(v));
       return vectors;
     }
+    case Kind::flag:
+      return text == "true";
   }
   return {};
 }

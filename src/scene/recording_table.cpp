@@ -1,0 +1,97 @@
+#include "scene/recording_table.h"
+
+#include <twrench/base/error.h>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/fields.h"
+#include "scene/keys.h"
+#include "scene/limits.h"
+
+namespace twrench::scene {
+namespace {
+
+using nlohmann::ordered_json;
+
+void set_field(const recording::Field& field, recording::Convention& convention,
+               const ordered_json& value, const std::string& what) {
+  switch (field.form) {
+    case recording::FieldForm::flag:
+      return field.set(convention, value.get<bool>());
+    case recording::FieldForm::rotation:
+      return field.set(convention, limits::check_rotation(what, to_quaternion(value)));
+    case recording::FieldForm::text:
+      return field.set(convention, value.get<std::string>());
+    case recording::FieldForm::unasked:
+      return;
+  }
+}
+
+double time_in(const ordered_json& keys, const std::string& key, double otherwise,
+               const NameOfKey& name_of) {
+  if (!keys.contains(key)) return otherwise;
+  return limits::check(limits::coordinate, name_of(key), keys.at(key).get<double>());
+}
+
+}  // namespace
+
+recording::Convention convention_of(const ordered_json& keys, const NameOfKey& name_of) {
+  recording::Convention convention;
+  for (const recording::Field& field : recording::convention_fields()) {
+    const auto found = keys.find(field.name);
+    if (found == keys.end()) continue;
+    try {
+      set_field(field, convention, *found, name_of(field.name));
+    } catch (const InvalidArgument& error) {
+      const std::string why = std::string(error.what()).substr(error.quantity().size() + 2);
+      throw InvalidArgument(name_of(field.name), why, error.remedy());
+    }
+  }
+  return convention;
+}
+
+RecordingFile recording_file(const ordered_json& keys, const std::filesystem::path& path,
+                             const NameOfKey& name_of) {
+  RecordingFile file{.file = keys.at(recording_file_key).get<std::string>(), .path = path};
+  file.from = time_in(keys, "from", file.from, name_of);
+  file.to = time_in(keys, "to", file.to, name_of);
+  file.convention = convention_of(keys, name_of);
+  file.keys = keys.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
+  return file;
+}
+
+std::shared_ptr<const RecordingFile> read_recording_file(TomlTable& motion,
+                                                         const MeshFiles& files) {
+  ordered_json keys = ordered_json::object();
+  for (const Key& key : recording_keys()) {
+    if (auto value = motion.value(key.name, key.form.kind)) keys[key.name] = std::move(*value);
+  }
+  if (keys.empty()) return nullptr;
+  if (!keys.contains(recording_file_key)) {
+    throw InvalidArgument(motion.place(keys.begin().key()),
+                          "it applies to a recorded motion, and there is none",
+                          "name the recording by the key file, or leave the key out");
+  }
+  const auto file = keys.at(recording_file_key).get<std::string>();
+  if (file.empty()) {
+    throw InvalidArgument(motion.place(recording_file_key), "is empty",
+                          "name the file of a recording");
+  }
+  for (const char* key : keys_of_computed_motions) {
+    if (!motion.has(key)) continue;
+    throw InvalidArgument(motion.place(key), "the motion is recorded in " + file,
+                          "leave out this key or the key file");
+  }
+  return std::make_shared<const RecordingFile>(recording_file(
+      keys, files.path_of(file), [&](const std::string& key) { return motion.place(key); }));
+}
+
+void require_computed(const Scene& scene, const std::string& what) {
+  if (!scene.motion.recording_file) return;
+  throw InvalidArgument(scene.name,
+                        "the motion is recorded in " + scene.motion.recording_file->file +
+                            ", and " + what + " is of a computed motion",
+                        "use a scene whose [motion] has omega instead of file");
+}
+
+}  // namespace twrench::scene
