@@ -157,6 +157,14 @@ TEST_F(MotionFile, WithGapsMarksThem) {
   EXPECT_THAT(model.err, HasSubstr("leave them out by --from and --to, or write .csv"));
 }
 
+TEST_F(MotionFile, IsNoMotionOfAllBuiltInScenes) {
+  const Outcome run = run_twrench(folder_, "page --all --motion run.csv -o site");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, testing::StartsWith("twrench: error: --all: takes all built-in scenes, and "
+                                           "--motion is a recording of one body"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "site"));
+}
+
 /// The same folder with a scene in scenes/toss.toml, which names the recording beside it.
 class OwnRecording : public MotionFile {
  protected:

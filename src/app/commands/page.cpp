@@ -94,6 +94,11 @@ void write_site(PageOptions& options) {
     throw InvalidArgument("--all", "writes a folder, which standard output cannot be",
                           "name the folder: -o site");
   }
+  if (options.command.count("--motion") > 0) {
+    throw InvalidArgument("--all",
+                          "takes all built-in scenes, and --motion is a recording of one body",
+                          "leave one of them out");
+  }
   options.scenes.use_builtin_scenes("--all");
   const std::filesystem::path folder = options.output.path();
   const std::vector<scene::Scene> scenes = options.scenes.scenes();
