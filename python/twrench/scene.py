@@ -680,8 +680,8 @@ class Scene:
         """Writes the motion for other programs, as ``twrench export`` does.
 
         :param path: the file: .glb is an animated model in glTF 2.0, .aem a CCSDS attitude
-            ephemeris message, .csv and .json are samples as ``twrench simulate`` writes them.
-        :param format: glb, aem, csv or json; None to choose it by the ending of ``path``.
+            ephemeris message, .csv, .json and .npz are samples as ``twrench simulate`` writes them.
+        :param format: glb, aem, csv, json or npz; None to choose it by the ending of ``path``.
         :param max_angle: for .glb, bound for the angle between the animation and the exact motion at
             any time, rad.
         :param speed: for .glb, seconds of motion per second of the animation; None for 1, or for the

@@ -67,7 +67,7 @@ std::vector<std::string> notes_of(std::string note) {
   return {std::move(note)};
 }
 
-constexpr std::array<ExportFormat, 4> formats{
+constexpr std::array<ExportFormat, 5> formats{
     {{"glb", "glTF 2.0, an animated model", write_gltf},
      {"aem", "CCSDS attitude ephemeris message", write_attitude_ephemeris},
      {"csv", "as simulate writes it",
@@ -77,6 +77,10 @@ constexpr std::array<ExportFormat, 4> formats{
      {"json", "as simulate writes it",
       [](const ExportOptions&, const scene::Scene& scene, const Write& write) {
         return notes_of(write_trajectory(write, scene, "json", {}));
+      }},
+     {"npz", "NumPy's arrays, as simulate writes them",
+      [](const ExportOptions&, const scene::Scene& scene, const Write& write) {
+        return notes_of(write_trajectory(write, scene, "npz", {}));
       }}}};
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "base/parallel.h"
 #include "base/words.h"
+#include "interchange/npz.h"
 #include "motion/visible_error.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
@@ -136,13 +137,9 @@ class RowWriter {
 
   void add(const motion::Sample& sample) {
     // Adding 0 changes only -0, which would look odd.
-    if (std::abs(sample.t) >= std::abs(latest_.t)) latest_ = sample;
     block_.push_back({sample.t, sample.X.array() + 0.0, sample.omega.array() + 0.0});
     if (block_.size() == block_size) write_block();
   }
-
-  /// The sample that is farthest from the start.
-  const motion::Sample& latest() const { return latest_; }
 
   void finish(const std::string& note) {
     write_block();
@@ -171,8 +168,39 @@ class RowWriter {
   const motion::FreeBody& body_;
   double start_;  ///< Energy at t = 0, g cm^2/s^2.
   std::vector<motion::Sample> block_;
-  motion::Sample latest_{0, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
   bool is_first_ = true;  ///< Whether nothing has been written yet.
+};
+
+/// Collects samples as the arrays of a .npz file, which has one array after the other.
+class ArrayWriter {
+ public:
+  ArrayWriter(const Write& write, const std::vector<Column>& columns, const motion::FreeBody& body)
+      : write_(write),
+        columns_(columns),
+        body_(body),
+        start_(motion::energy(body.inertia(), body.omega())) {
+    for (const Column& column : columns) arrays_.push_back({column.name});
+  }
+
+  void add(const motion::Sample& sample) {
+    const auto X = sample.X.reshaped<Eigen::RowMajor>();
+    arrays_[0].numbers.push_back(sample.t);
+    arrays_[1].numbers.insert(arrays_[1].numbers.end(), X.begin(), X.end());
+    arrays_[2].numbers.insert(arrays_[2].numbers.end(), sample.omega.begin(), sample.omega.end());
+    const motion::Diagnostics diagnostics = motion::diagnose(body_, start_, sample);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      arrays_[3 + i].numbers.push_back(diagnostics.*columns_[i].value);
+    }
+  }
+
+  void finish(const std::string& /*note*/) { write_(npz_file(arrays_)); }
+
+ private:
+  const Write& write_;
+  const std::vector<Column>& columns_;
+  const motion::FreeBody& body_;
+  double start_;  ///< Energy at t = 0, g cm^2/s^2.
+  std::vector<NamedArray> arrays_{{"t"}, {"X", {3, 3}}, {"omega", {3}}};
 };
 
 /// Suggests a rate only if its limit allows the rate.
@@ -183,7 +211,8 @@ std::string remedy_for_samples(double duration) {
   return fmt::format("use {} or less, or a shorter {}", argument("fps", fps), argument("duration"));
 }
 
-void write_recorded(RowWriter& rows, const scene::Scene& scene, std::span<const double> times) {
+template <typename Rows>
+void write_recorded(Rows& rows, const scene::Scene& scene, std::span<const double> times) {
   const motion::RecordedMotion& recorded = scene.motion.recording->motion;
   for (const double t : times) {
     constexpr double rounding = 1 + 1e-12;
@@ -194,6 +223,43 @@ void write_recorded(RowWriter& rows, const scene::Scene& scene, std::span<const 
     }
     rows.add(recorded.at(t));
   }
+}
+
+/// Writes the samples to rows of either kind. Returns a note, as write_trajectory() does.
+template <typename Rows>
+std::string write_samples(Rows rows, const scene::Scene& scene, const motion::FreeBody& body,
+                          const std::vector<double>& times, const Progress& progress) {
+  if (scene.motion.recording) {
+    std::vector<double> all = times;
+    const RegularTimes regular(scene);
+    for (std::size_t i = 0; times.empty() && i < regular.size(); ++i) all.push_back(regular(i));
+    write_recorded(rows, scene, all);
+    rows.finish({});
+    return {};
+  }
+  const motion::Method& method = motion::find_method(scene.motion.method);
+  motion::Sample latest{0, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+  const auto add = [&](const motion::Sample& sample) {
+    if (std::abs(sample.t) >= std::abs(latest.t)) latest = sample;
+    rows.add(sample);
+  };
+  if (times.empty()) {
+    const RegularTimes regular(scene);
+    std::size_t done = 0;
+    motion::visit_samples(body, method, scene.motion.control, regular.size(), regular,
+                          [&](const motion::Sample& sample) {
+                            add(sample);
+                            if (progress && !method.exact()) progress(++done, regular.size());
+                          });
+  } else {
+    for (const motion::Sample& sample :
+         motion::integrate(body, method, scene.motion.control, times).samples) {
+      add(sample);
+    }
+  }
+  std::string note = motion::visible_error(body, method, latest);
+  rows.finish(note);
+  return note;
 }
 
 }  // namespace
@@ -215,35 +281,13 @@ RegularTimes::RegularTimes(const scene::Scene& scene)
 std::string write_trajectory(const Write& write, const scene::Scene& scene,
                              const std::string& format, const std::vector<double>& times,
                              const Progress& progress) {
-  const motion::Method& method = motion::find_method(scene.motion.method);
   const motion::FreeBody body = scene::free_body(scene);
   const std::vector<Column> columns = columns_of(scene, body);
-  RowWriter rows(write, format == "csv" ? csv_format(columns) : json_format(scene, columns), body);
-  if (scene.motion.recording) {
-    std::vector<double> all = times;
-    const RegularTimes regular(scene);
-    for (std::size_t i = 0; times.empty() && i < regular.size(); ++i) all.push_back(regular(i));
-    write_recorded(rows, scene, all);
-    rows.finish({});
-    return {};
+  if (format == "npz") {
+    return write_samples(ArrayWriter(write, columns, body), scene, body, times, progress);
   }
-  if (times.empty()) {
-    const RegularTimes regular(scene);
-    std::size_t done = 0;
-    motion::visit_samples(body, method, scene.motion.control, regular.size(), regular,
-                          [&](const motion::Sample& sample) {
-                            rows.add(sample);
-                            if (progress && !method.exact()) progress(++done, regular.size());
-                          });
-  } else {
-    for (const motion::Sample& sample :
-         motion::integrate(body, method, scene.motion.control, times).samples) {
-      rows.add(sample);
-    }
-  }
-  std::string note = motion::visible_error(body, method, rows.latest());
-  rows.finish(note);
-  return note;
+  TextFormat text = format == "csv" ? csv_format(columns) : json_format(scene, columns);
+  return write_samples(RowWriter(write, std::move(text), body), scene, body, times, progress);
 }
 
 void write_csv(const Write& write, const motion::FreeBody& body,

@@ -35,10 +35,11 @@ using Write = std::function<void(std::string_view)>;
 /// Receives how many samples of how many are computed.
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Writes the scene's motion, computed by its own method, as "csv" or "json" at those times, or at
-/// RegularTimes if there are none. Calls `progress`, unless it is empty, after each sample of a
-/// method that takes steps to regular times. Returns a note on a visible error at the latest time,
-/// which JSON has as its "note"; usually empty. Throws as integrate(), RegularTimes and `write` do.
+/// Writes the scene's motion, computed by its own method, as "csv", "json" or "npz" at those times,
+/// or at RegularTimes if there are none. Calls `progress`, unless it is empty, after each sample of
+/// a method that takes steps to regular times. Returns a note on a visible error at the latest
+/// time, which JSON has as its "note"; usually empty. Throws as integrate(), RegularTimes and
+/// `write` do.
 std::string write_trajectory(const Write& write, const scene::Scene& scene,
                              const std::string& format, const std::vector<double>& times,
                              const Progress& progress = {});

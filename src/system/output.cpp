@@ -25,15 +25,15 @@ constexpr std::string_view scene_first = "{\n \"scene\": ";
 
 constexpr std::array motion_formats{
     OutputFormat{"csv", {".csv"}, "t,x11,x12,x13,x21,x22,x23,", ",wx,wy,wz,energy"},
-    OutputFormat{"json", {".json"}, scene_first, "\n \"samples\": ["}};
+    OutputFormat{"json", {".json"}, scene_first, "\n \"samples\": ["},
+    OutputFormat{"npz", {".npz"}, "PK\x03\x04", "orthogonality_error.npy"}};
 
-constexpr std::array saved_motion_formats{
-    motion_formats[0], OutputFormat{"npz", {".npz"}, "PK\x03\x04", "orthogonality_error.npy"}};
+constexpr std::array saved_motion_formats{motion_formats[0], motion_formats[2]};
 
 constexpr std::array exported_motion_formats{
     OutputFormat{"glb", {".glb"}, "glTF", "\"generator\":\"twrench "},
     OutputFormat{"aem", {".aem"}, "CCSDS_AEM_VERS = ", "COMMENT Written by twrench "},
-    motion_formats[0], motion_formats[1]};
+    motion_formats[0], motion_formats[1], motion_formats[2]};
 
 constexpr std::array inertia_formats{
     OutputFormat{"text", {".txt"}, "", "\nprincipal axes as columns, in body axes\n"},

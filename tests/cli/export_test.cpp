@@ -67,7 +67,7 @@ TEST(Export, RefusesWhatItCannotKeep) {
                  "take a larger --max-angle, or a shorter --duration");
   expect_refused("-o a.glb --max-angle 1e-7", 2,
                  "--max-angle: is 1e-07, but must be at least 1e-06");
-  expect_refused("-o a.fbx", 2, "its name must end in .glb, .aem, .csv or .json");
+  expect_refused("-o a.fbx", 2, "its name must end in .glb, .aem, .csv, .json or .npz");
   expect_refused("-o -", 2, "--format: is needed for standard output");
   expect_refused("-o a.aem --epoch 2026-02-30T00:00:00", 2, "--epoch: is 2026-02-30T00:00:00");
   expect_refused("-o /dev/full --format glb", 5, "No space left on device");

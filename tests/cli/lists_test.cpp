@@ -134,9 +134,10 @@ TEST(Lists, VersionAndHelp) {
     const Outcome run = run_twrench(folder, std::string(command) + " --help");
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_EQ(run.err, "") << command;
-    EXPECT_THAT(run.out,
-                HasSubstr(*command == 0 ? "Compute the trajectory and write it as CSV or JSON"
-                                        : "Example: twrench "))
+    EXPECT_THAT(
+        run.out,
+        HasSubstr(*command == 0 ? "Compute the trajectory and write it as CSV, JSON or NumPy arrays"
+                                : "Example: twrench "))
         << command;
   }
 }

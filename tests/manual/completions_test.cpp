@@ -69,7 +69,7 @@ TEST(Completions, OfBashOfferWhatFits) {
   EXPECT_EQ(offered("twrench inertia m"), "mine.toml model.stl\n");
   EXPECT_EQ(offered("twrench plot dzh"), "dzhanibekov\n");
   EXPECT_EQ(offered("twrench study --format \"\""), "text csv json\n");
-  EXPECT_EQ(offered("twrench simulate --format \"\""), "csv json\n");
+  EXPECT_EQ(offered("twrench simulate --format \"\""), "csv json npz\n");
   EXPECT_EQ(offered("twrench inertia --format \"\""), "text json junit\n");
   EXPECT_EQ(offered("twrench doctor --format \"\""), "text json\n");
   EXPECT_EQ(offered("twrench render --backend \"\""), "auto osmesa egl\n");

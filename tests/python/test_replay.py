@@ -110,6 +110,26 @@ def test_results_of_a_recording_that_a_file_names_are_refused(toss, tmp_path):
         Scene(toss)
 
 
+def test_exports_for_numpy_are_those_of_python(toss, program, tmp_path):
+    program("simulate", "tennis-racket", "--method", "rk4", "--fps", "50", "-o", tmp_path / "a.npz")
+    racket = Scene("tennis-racket", method="rk4")
+    motion = racket.simulate(span=(0, racket.duration), fps=50)
+    motion.save(tmp_path / "b.npz")
+    with np.load(tmp_path / "a.npz") as ours, np.load(tmp_path / "b.npz") as theirs:
+        assert ours.files == theirs.files
+        for name in ours.files:
+            assert ours[name].shape == theirs[name].shape and ours[name].dtype == theirs[name].dtype
+            np.testing.assert_allclose(ours[name], theirs[name], rtol=0, atol=1e-9, err_msg=name)
+    program("export", toss, "--fps", "20", "-o", tmp_path / "c.npz")
+    file = Scene(toss).export(tmp_path / "d.npz")
+    with np.load(tmp_path / "c.npz") as rows:
+        assert rows["X"].shape == (361, 3, 3) and rows["t"][-1] == 18
+        sample = twrench.exact(BODY, START).at(2 + rows["t"])
+        # The first attitude of the film is the recorded one, and so are the others.
+        np.testing.assert_allclose(rows["X"], sample.X, rtol=0, atol=1e-6)
+    assert twrench.check(file, BODY).verdict.startswith(("follows", "has no detectable", "off by up"))
+
+
 def test_pages_and_plots_show_the_exact_motion_beside_it(tmp_path):
     scene = Scene(body=BODY, motion=recorded(), size=SIZE)
     template = tmp_path / "t.html"

@@ -91,8 +91,8 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("export", "Write the motion for other programs: glTF, CCSDS, CSV, JSON");
+  CLI::App* command = app.add_subcommand(
+      "export", "Write the motion for other programs: glTF, CCSDS, CSV, JSON, NumPy");
   command->footer(export_footer());
   const auto options = std::make_shared<ExportOptions>(*command);
   add_export_options(*command, *options);

@@ -59,8 +59,8 @@ void simulate(const SimulateOptions& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("simulate", "Compute the trajectory and write it as CSV or JSON");
+  CLI::App* command = app.add_subcommand(
+      "simulate", "Compute the trajectory and write it as CSV, JSON or NumPy arrays");
   command->footer(std::string(about_defaults) +
                   "Example: twrench simulate stable-y --method rk4 --times 1,10,100");
   const auto options = std::make_shared<SimulateOptions>(*command);
