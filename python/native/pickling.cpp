@@ -21,7 +21,9 @@
 #include "body/dimensions.h"
 #include "scene/fields.h"
 #include "scene/limits.h"
+#include "scene/recording_table.h"
 #include "scene/scene_values.h"
+#include "scene/shown_recording.h"
 #include "solids.h"
 
 namespace twrench::python {
@@ -33,24 +35,24 @@ using Eigen::Vector3d;
 using scene::Scene;
 using Surface = std::shared_ptr<const body::TriangleMesh>;
 
-/// Rows of three numbers each as an array (n, 3).
-template <typename Number, typename Row>
+/// Rows of as many numbers each as an array (n, width).
+template <typename Number, int width = 3, typename Row>
 py::array_t<Number> array_of(const std::vector<Row>& rows) {
-  py::array_t<Number> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
+  py::array_t<Number> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{width}});
   Number* to = array.mutable_data();
-  for (const Row& row : rows) to = std::copy_n(row.data(), 3, to);
+  for (const Row& row : rows) to = std::copy_n(row.data(), width, to);
   return array;
 }
 
-template <typename Number, typename Row>
+template <typename Number, typename Row, int width = 3>
 std::vector<Row> rows_of(const py::handle& object) {
   const auto array = py::cast<py::array_t<Number, py::array::c_style>>(object);
-  if (array.ndim() != 2 || array.shape(1) != 3) throw py::cast_error("not an array (n, 3)");
+  if (array.ndim() != 2 || array.shape(1) != width) throw py::cast_error("not an array of rows");
   std::vector<Row> rows(static_cast<std::size_t>(array.shape(0)));
   const Number* from = array.data();
   for (Row& row : rows) {
-    std::copy_n(from, 3, row.data());
-    from += 3;
+    std::copy_n(from, width, row.data());
+    from += width;
   }
   return rows;
 }
@@ -122,16 +124,45 @@ py::tuple sound_state(const scene::SoundFile& sound) {
   return py::make_tuple(sound.file, sound.path);
 }
 
-py::tuple Writer::scene(const Scene& from) {
-  if (from.motion.recording) {
-    throw InvalidArgument("the scene", "it shows a recording, which is not pickled",
-                          "pickle the recording, and show it in the scene again");
+/// The time, the attitude (x, y, z, w) and the rates of an instant of a recorded motion.
+using InstantRow = std::array<double, 8>;
+using Instant = motion::RecordedMotion::Instant;
+
+py::array_t<double> instants_state(const motion::RecordedMotion& motion) {
+  std::vector<InstantRow> rows;
+  for (const Instant& instant : motion.instants()) {
+    InstantRow& row = rows.emplace_back(InstantRow{instant.t});
+    std::copy_n(instant.X.coeffs().data(), 4, row.data() + 1);
+    std::copy_n(instant.omega.data(), 3, row.data() + 5);
   }
+  return array_of<double, 8>(rows);
+}
+
+py::object recording_state(const std::shared_ptr<const scene::ShownRecording>& shown) {
+  if (!shown) return py::none();
+  return py::make_tuple(shown->file, shown->path, instants_state(shown->motion),
+                        shown->motion.longest_step(), shown->flip_times, shown->sha256,
+                        shown->drift, shown->has_body, shown->verdict, shown->notes);
+}
+
+py::object recording_file_state(const std::shared_ptr<const scene::RecordingFile>& file) {
+  if (!file) return py::none();
+  return py::make_tuple(file->keys, file->path);
+}
+
+/// The fields of a scene. No method is called recorded_name, which stands first among the compared
+/// motions of a scene that shows a recording.
+py::dict values_state(Scene from) {
+  if (from.motion.recording) std::erase(from.overlay.compare, scene::recorded_name);
   py::dict values;
   for (const scene::Field& field : scene::fields()) {
     const nlohmann::ordered_json value = field.get(from);
     if (!value.is_null()) values[field.key.c_str()] = py::bytes(value.dump());
   }
+  return values;
+}
+
+py::tuple Writer::scene(const Scene& from) {
   py::list shots;
   for (const scene::Shot& shot : from.shots) {
     py::list speeds;
@@ -139,8 +170,10 @@ py::tuple Writer::scene(const Scene& from) {
     shots.append(py::make_tuple(scene(shot.scene), shot.fade, shot.move, shot.start, speeds,
                                 shot.place, sound_state(shot.narration), shot.continues));
   }
-  return py::make_tuple(from.name, values, body(from.body), from.caption, from.length, shots,
-                        origins_state(from.origins), sound_state(from.film.audio));
+  return py::make_tuple(from.name, values_state(from), body(from.body), from.caption, from.length,
+                        shots, origins_state(from.origins), sound_state(from.film.audio),
+                        recording_state(from.motion.recording),
+                        recording_file_state(from.motion.recording_file));
 }
 
 /// Throws the error of a damaged state, unless `is_right`.
@@ -251,6 +284,50 @@ scene::SoundFile sound_with(const py::tuple& state) {
   return {state[0].cast<std::string>(), state[1].cast<std::filesystem::path>()};
 }
 
+motion::RecordedMotion motion_with(const py::handle& state, double longest_step) {
+  std::vector<Instant> instants;
+  for (const InstantRow& row : rows_of<double, InstantRow, 8>(state)) {
+    for (const double number : row) require(std::isfinite(number));
+    require(instants.empty() ? row[0] == 0 : row[0] > instants.back().t);
+    const Eigen::Quaterniond X(row.data() + 1);
+    constexpr double round_off = 1e-9;
+    require(std::abs(X.norm() - 1) < round_off);
+    instants.push_back({row[0], X, Vector3d(row.data() + 5)});
+  }
+  require(longest_step > 0);
+  return {std::move(instants), longest_step};
+}
+
+std::shared_ptr<const scene::ShownRecording> recording_with(const py::object& state) {
+  if (state.is_none()) return nullptr;
+  const auto values = state.cast<py::tuple>();
+  return std::make_shared<const scene::ShownRecording>(
+      scene::ShownRecording{.file = values[0].cast<std::string>(),
+                            .path = values[1].cast<std::filesystem::path>(),
+                            .motion = motion_with(values[2], values[3].cast<double>()),
+                            .flip_times = values[4].cast<std::vector<double>>(),
+                            .sha256 = values[5].cast<std::string>(),
+                            .drift = values[6].cast<double>(),
+                            .has_body = values[7].cast<bool>(),
+                            .verdict = values[8].cast<std::string>(),
+                            .notes = values[9].cast<std::vector<std::string>>()});
+}
+
+/// Sets the values that fields do not hold: the identity, and the name of a recorded motion.
+void complete_with_recording(Scene& scene) {
+  if (!scene.motion.attitude) scene.motion.attitude = Eigen::Quaterniond::Identity();
+  std::vector<std::string>& compared = scene.overlay.compare;
+  if (!compared.empty()) compared.insert(compared.begin(), scene::recorded_name);
+}
+
+std::shared_ptr<const scene::RecordingFile> recording_file_with(const py::object& state) {
+  if (state.is_none()) return nullptr;
+  const auto values = state.cast<py::tuple>();
+  return std::make_shared<const scene::RecordingFile>(scene::recording_file(
+      nlohmann::ordered_json::parse(values[0].cast<std::string>()),
+      values[1].cast<std::filesystem::path>(), [](const std::string& key) { return key; }));
+}
+
 scene::Body Reader::body(const py::tuple& state) {
   scene::Body body;
   for (const py::handle& handle : state[0]) {
@@ -313,6 +390,9 @@ Scene Reader::scene(const py::tuple& state) {
   }
   made.origins = origins_with(state[6]);
   made.film.audio = sound_with(state[7].cast<py::tuple>());
+  made.motion.recording = recording_with(state[8]);
+  made.motion.recording_file = recording_file_with(state[9]);
+  if (made.motion.recording) complete_with_recording(made);
   return made;
 }
 

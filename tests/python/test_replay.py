@@ -57,8 +57,19 @@ def test_results_of_the_free_motion_are_refused(tmp_path):
         with pytest.raises(UsageError, match="the scene shows a recording|recording that the scene"):
             refused()
     assert list(tmp_path.iterdir()) == []
-    with pytest.raises(UsageError, match="not pickled"):
-        pickle.dumps(scene)
+
+
+def test_a_scene_that_shows_a_recording_survives_pickling(toss):
+    in_memory = Scene(body=BODY, motion=recorded(), size=SIZE, compare=["exact"])
+    for scene in (in_memory, Scene(toss)):
+        twin = pickle.loads(pickle.dumps(scene))
+        assert twin.to_dict() == scene.to_dict() and twin.duration == scene.duration
+        assert (twin.frame(300) == scene.frame(300)).all()
+        with pytest.raises(UsageError, match="the scene shows"):
+            twin.simulate()
+        assert pickle.dumps(twin) == pickle.dumps(pickle.loads(pickle.dumps(twin)))
+    (toss.parent / "run.csv").unlink()
+    assert pickle.loads(pickle.dumps(twin)).export(toss.parent / "a.csv").exists(), "it has the rows"
 
 
 TOSS = """title = "A toss"
@@ -128,6 +139,37 @@ def test_exports_for_numpy_are_those_of_python(toss, program, tmp_path):
         # The first attitude of the film is the recorded one, and so are the others.
         np.testing.assert_allclose(rows["X"], sample.X, rtol=0, atol=1e-6)
     assert twrench.check(file, BODY).verdict.startswith(("follows", "has no detectable", "off by up"))
+
+
+ROWS = np.array([[0, 0, 0, 0, 1, 1, 0, 0], [1, 0, 0, 0, 1, 1, 0, 0]], dtype=float)
+
+
+@pytest.mark.parametrize(
+    ("index", "value"),
+    [
+        (2, ROWS[:1]),
+        (2, ROWS[::-1]),
+        (2, ROWS + [0, 0, 0, 0, 1e-3, 0, 0, 0]),
+        (2, ROWS + [0, 0, 0, 0, 0, 0, 0, np.inf]),
+        (2, ROWS[:, :7]),
+        (3, 0.0),
+        (3, np.nan),
+        (4, "flips"),
+        (9, None),
+    ],
+)
+def test_a_hostile_pickle_of_a_recording_is_refused(index, value):
+    state = Scene(body=BODY, motion=recorded()).__getstate__()["_native"]
+    scene, original = state
+    shown = list(scene[8])
+    shown[index] = value
+    damaged = (*scene[:8], tuple(shown), scene[9])
+    with pytest.raises(UsageError, match="the pickled scene: is damaged"):
+        Scene().__setstate__({"_native": (damaged, original)})
+    for named in ((b"[]", "a"), (b'{"file": 1}', "a"), (b'{"file": "a", "from": "b"}', "a"), ("", "")):
+        damaged = (*scene[:9], named)
+        with pytest.raises(UsageError, match="the pickled scene: is damaged"):
+            Scene().__setstate__({"_native": (damaged, original)})
 
 
 def test_pages_and_plots_show_the_exact_motion_beside_it(tmp_path):
