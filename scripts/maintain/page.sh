@@ -54,7 +54,7 @@ core_sources() {
 
 # Whether build/page/core.wasm is newer than all of its sources.
 core_is_current() {
-  [[ -e $out/core.wasm && -z $(find src/{base,math,body,motion,study,scene,timeline,picture} include web/core \
+  [[ -e $out/core.wasm && -z $(find src/{base,math,body,motion,study,recording/conventions,scene,timeline,picture} include web/core \
     scripts/maintain/page.sh -newer "$out/core.wasm" -type f ! -name '*.js' -print -quit) ]]
 }
 

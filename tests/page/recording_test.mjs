@@ -1,7 +1,7 @@
 // Tests of pages that play a recorded motion beside the exact one: the numbers, the first figure, and the
 // copied command.
 import assert from 'node:assert/strict';
-import { statSync } from 'node:fs';
+import { statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { folder, open, run, twrench, writePage } from './browser.mjs';
 import { copied, enter, sample, settle, shown, still } from './controls.mjs';
@@ -64,6 +64,20 @@ const tests = {
     assert.doesNotMatch(other, /--motion/);
     assert.match(other, /--omega 0\.5,/);
     assert.match(other, /--attitude 0\.8,0\.6,0,0 /);
+    await settle(page);
+    quiet();
+  },
+
+  async 'the copied command leaves a recording to the scene file that names it'() {
+    const scene = join(folder, 'own.toml');
+    writeFileSync(scene, "[body]\nmoments = [2, 3, 4.5]\n[motion]\nfile = 'run.csv'\n");
+    const { page, quiet } = await open(writePage('own.html', scene), { ...still, width: 1280, height: 800 });
+    const command = await copied(page, '#copy-command');
+    assert.match(command, /^twrench render \S*own\.toml .*--compare exact /);
+    assert.doesNotMatch(command, /--(motion|omega|method)/);
+    await enter(page, '#omega .field:nth-child(1) input[inputmode]', '0.5');
+    // No option replaces the recording, so the command films the copied scene file.
+    assert.match(await copied(page, '#copy-command'), /^# .*\ntwrench render flip\.toml -o flip\.mp4$/);
     await settle(page);
     quiet();
   },

@@ -63,6 +63,16 @@ def test_toss(tmp_path):
     errors = np.abs(found.inertia.moments - numbers(ratios))
     assert np.all(errors <= 3 * found.inertia.deviations + 1e-4)
     assert np.all(found.inertia.deviations < 0.01)
+    kept = PROJECT / "examples/toss/toss.csv"
+    ours, theirs = (np.loadtxt(file, delimiter=",", skiprows=1) for file in (kept, tmp_path / "toss.csv"))
+    np.testing.assert_allclose(ours, theirs, rtol=0, atol=2e-6)
+
+
+def test_scene_of_a_toss():
+    with pytest.warns(UserWarning, match="toss.csv has no attitude"):
+        scene = twrench.Scene(PROJECT / "examples/toss/toss.toml")
+    assert scene.title == "A phone, tossed" and scene.duration == pytest.approx(1.2)
+    assert "momentum" in scene.show, "the recording follows a free motion"
 
 
 def test_energy_drift(tmp_path):
