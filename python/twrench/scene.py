@@ -203,8 +203,10 @@ class Scene:
     :param mass: mass of a mesh in g, instead of ``density``.
     :param body: a body that replaces that of the scene.
     :param motion: a :class:`Recording` that the scene shows instead of a computed motion, or of the
-        recording that its file names. Frames, films and exports then show it; ``compare=["exact"]`` shows the free motion beside it. What needs
-        the free motion of the body is left out, with a warning, if the recording does not follow it.
+        recording that its file names. Frames, films and exports then show it;
+        ``compare=["exact"]`` shows the free motion beside it. What needs the free motion of the body
+        is left out, with a warning, if the recording does not follow it. It excludes ``omega`` and
+        ``method``.
     :param unknown: no other arguments are accepted; the error proposes the nearest name.
     :raises SceneError: for a mistake; the message names file, line and key.
     :raises FileError: if the file cannot be read.
@@ -387,6 +389,8 @@ class Scene:
                 setattr(self, key, value)
             else:
                 self._native.set(key, "null")  # raises an error that lists the keys
+        if "motion" in values or self._native.names_recording:
+            _require_nothing_computed(values)
         if "motion" in values:  # after what it is compared with
             recording = _arguments.instance("motion", values["motion"], Recording)
             self._show(lambda: _native.show_recording(self._native, *recording._origin))
@@ -914,6 +918,15 @@ def _matplotlib_figure(make: Any, scene: Scene, overlay: bool) -> Any:
         for flip in curves[0][2]:
             panel.axvline(flip, color="0.6", linewidth=0.6, linestyle="--")
     return figure
+
+
+def _require_nothing_computed(values: dict[str, Any]) -> None:
+    for key in ("omega", "method"):
+        if key in values:
+            raise SceneError(
+                f"{key}: the motion of the scene is recorded",
+                "leave it out; compare=['exact'] shows the free motion beside it",
+            )
 
 
 def _require_no_mesh_values(name: str, of_mesh: dict[str, Any]) -> None:

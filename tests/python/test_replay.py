@@ -112,6 +112,13 @@ def test_a_scene_file_names_its_recording(toss, program, tmp_path, monkeypatch):
     assert other.duration == 20 and "from" not in other.to_dict()["motion"]["recording"]
 
 
+@pytest.mark.parametrize("value", [{"omega": START}, {"method": "exact"}])
+def test_a_recording_excludes_what_computes_a_motion(toss, value):
+    for make in (lambda: Scene(toss, **value), lambda: Scene(body=BODY, motion=recorded(), **value)):
+        with pytest.raises(UsageError, match=f"^{next(iter(value))}: the motion of the scene is recorded"):
+            make()
+
+
 def test_results_of_a_recording_that_a_file_names_are_refused(toss, tmp_path):
     for refused in (Scene(toss).simulate, lambda: twrench.report(tmp_path / "a.md", [toss])):
         with pytest.raises(UsageError, match="recording that the scene shows"):
