@@ -147,7 +147,7 @@ TEST(ShowRecording, FitsTheFreeMotionToNoise) {
   scene::Scene scene = with_moments({2, 3, 4.5});
   scene.overlay.compare = {"exact"};
   const auto noise = [&] { return 0.01 * (double(random()) / double(random.max()) - 0.5); };
-  show(scene, table_of(tumbling(), 20, 1001, [&](const Vector3d& omega) -> Vector3d {
+  show(scene, table_of(tumbling(), 20, 301, [&](const Vector3d& omega) -> Vector3d {
          return omega + Vector3d(noise(), noise(), noise());
        }));
   EXPECT_LT((scene.motion.omega - tumbling().omega()).norm(), 1e-3);
@@ -157,7 +157,7 @@ TEST(ShowRecording, FitsTheFreeMotionToNoise) {
 TEST(ShowRecording, LeavesOutWhatNeedsAFreeMotion) {
   scene::Scene scene = with_moments({2, 3, 4.5});
   // As if the rates had been computed without the gyroscopic term.
-  show(scene, table_of(tumbling(), 20, 1001, [](const Vector3d&) { return tumbling().omega(); }));
+  show(scene, table_of(tumbling(), 20, 201, [](const Vector3d&) { return tumbling().omega(); }));
   EXPECT_FALSE(scene.overlay.shows(Feature::momentum));
   EXPECT_FALSE(scene.overlay.shows(Feature::sphere));
   EXPECT_TRUE(scene.overlay.shows(Feature::omega));
