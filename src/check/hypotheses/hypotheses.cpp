@@ -11,6 +11,7 @@
 #include "check/hypotheses/changed_rows.h"
 #include "check/hypotheses/lawful_readings.h"
 #include "check/hypotheses/other_conventions.h"
+#include "check/hypotheses/readings.h"
 #include "check/law/mistakes.h"
 #include "check/verdict/error.h"
 #include "check/verdict/fit.h"
@@ -345,6 +346,30 @@ void remove_partial_fits(Alternatives& found, const Recording& recording, const 
   if (found.fitting.empty() && !all.empty()) found.nearest = all.front();
 }
 
+/// The readings with nearly equal moments exchanged in which the file follows the motion within its
+/// noise. No other mistake of a reading makes errors as small as those of a method.
+std::vector<Reading> exact_with_moments_exchanged(const Recording& recording,
+                                                  const Problem& problem,
+                                                  const Judgement& judgement) {
+  if (judgement.within_noise) return {};
+  const Matrix3d& inertia = problem.inertia;
+  const BodyAxes as_read = judgement.convention.axes;
+  std::vector<Convention> conventions;
+  for (const BodyAxes& axes : distinct_axes(inertia, as_read)) {
+    const Matrix3d S = axes.matrix().transpose() * as_read.matrix();
+    constexpr double nearly = 1e-2;
+    const bool is_near = (S * inertia * S.transpose() - inertia).norm() < nearly * inertia.norm();
+    if (axes == as_read || S.determinant() < 0 || !is_near) continue;
+    conventions.push_back(judgement.convention);
+    conventions.back().axes = axes;
+  }
+  std::vector<Reading> found = readings(recording, inertia, conventions);
+  std::erase_if(found, [&](const Reading& reading) {
+    return !follows_within_noise(recording, problem, reading);
+  });
+  return found;
+}
+
 /// Whether a single mistake that is usual explains both the rates and the attitude.
 bool is_one_usual_mistake(const WrongLaws& laws) {
   constexpr double explained = 1e-3;
@@ -359,13 +384,17 @@ Alternatives better_readings(const Recording& recording, const Problem& problem,
                              const Judgement& judgement) {
   const auto miss = judgement.misfit.worst();
   constexpr double good = 1e-4, far_better = 1e-2, another = 0.1;
-  if (!miss) return {};
+  if (!miss) return {.fitting = exact_with_moments_exchanged(recording, problem, judgement)};
   const double speed = judgement.reference.body.omega().norm();
   const bool is_of_another_start =
       problem.omega && (!judgement.has_rates || judgement.first_rate_error > another * speed);
   const WrongLaws laws = laws_of(recording, problem, judgement);
-  // Few rows may follow another law, such as those at a limit of the speed.
-  if (*miss < good && !is_of_another_start) return {.laws = laws};
+  if (*miss < good && !is_of_another_start) {
+    std::vector<Reading> exact = exact_with_moments_exchanged(recording, problem, judgement);
+    // Few rows may follow another law, such as those at a limit of the speed.
+    if (exact.empty()) return {.laws = laws};
+    return {.fitting = std::move(exact)};
+  }
   const bool is_usual = is_one_usual_mistake(laws);
   // Rates alone are those of a reversed gyroscopic term in a reading with mirrored axes, too, and
   // attitudes alone those of swapped factors if they are inverse as well.

@@ -261,6 +261,29 @@ TEST(BetterReadings, BlameNoBodyForErrors) {
   EXPECT_THAT(found.fitting, IsEmpty());
 }
 
+// Whether the error as read is as small as that of a method, or already larger.
+TEST(BetterReadings, FindTheOrderOfNearlyEqualMoments) {
+  const Vector3d right(3, 2, 2.0001);
+  const Problem problem{.inertia = Vector3d(3, right[2], right[1]).asDiagonal()};
+  const motion::ExactMotion exact({right.asDiagonal(), omega});
+  for (const std::size_t count : {50, 500}) {
+    const auto rows = rows_of([&](double t) { return exact.at(t); }, count, 0.1);
+    for (const Parts parts : {Parts::rates, Parts::both}) {
+      const ScratchFolder folder;
+      system::write_file_atomically(folder / "rows.csv", csv_of(rows, parts));
+      const Recording recording(folder / "rows.csv");
+      const Judgement judgement = judge(recording, own_names(parts), problem);
+      EXPECT_EQ(judgement.misfit.worst().has_value(), count == 500);
+      const Alternatives found = better_readings(recording, problem, judgement);
+      ASSERT_THAT(found.fitting, SizeIs(1));
+      const Matrix3d axes = found.fitting[0].convention.axes.matrix();
+      EXPECT_TRUE(
+          (axes * problem.inertia * axes.transpose()).isApprox(Matrix3d(right.asDiagonal())));
+      EXPECT_TRUE(found.laws.empty());
+    }
+  }
+}
+
 /// A file of rates in rad/s at times in s, which its names call otherwise.
 Alternatives alternatives_of_named(const std::string& names) {
   const ScratchFolder folder;
