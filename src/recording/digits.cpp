@@ -51,12 +51,12 @@ bool is_round(const table::Number& number) {
   return std::abs(digits - std::nearbyint(digits)) < 1e-9;
 }
 
-/// The decimals of a difference of two times that are written exactly; negative for a whole number
-/// that ends with zeros, because a clock coarser than the unit leaves them.
-int decimals_of_difference(double difference, int decimals) {
-  if (decimals > 0 || difference == 0) return decimals;
+/// The decimals of a number without the zeros at the end of a whole one: negative then. A clock
+/// that is coarser than the unit leaves such zeros, and so do decimals that fill up to the point.
+int decimals_without_zeros(double value, int decimals) {
+  if (decimals > 0 || value == 0) return decimals;
   int count = 0;
-  for (double rest = difference; std::fmod(rest, 10) == 0; rest /= 10) --count;
+  for (double rest = value; std::fmod(rest, 10) == 0; rest /= 10) --count;
   return count;
 }
 
@@ -79,7 +79,7 @@ void NarrowFormat::add(const table::Number& number) {
   const int last_bit = std::max(exponent, least_exponent_) - bits_;
   const double spacing = std::ldexp(1.0, last_bit);
   const double nearest = spacing * std::nearbyint(number.value / spacing);
-  const double place = unit_of_place(number.decimals);
+  const double place = unit_of_place(decimals_without_zeros(number.value, number.decimals));
   // The printed number differs from the value by at most half a unit of its last place.
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double allowed = place / 2 + rounding * std::abs(number.value);
@@ -87,9 +87,11 @@ void NarrowFormat::add(const table::Number& number) {
   all_ = apart <= allowed;
   farthest_ = std::max(farthest_, apart / spacing);
   if (!all_ || evidence_ > enough_evidence) return;
-  // A number of few bits, such as 0.5, is a value of any format, and so is a whole number.
+  // A number of few bits, such as 0.5, is a value of any format, and so is a whole number that
+  // needs no more bits than the format has.
   const double few_bits = std::ldexp(spacing, bits_ / 2);
-  const bool is_round = std::fmod(nearest, std::min(few_bits, 1.0)) == 0;
+  const double round_unit = spacing <= 1 ? std::min(few_bits, 1.0) : few_bits;
+  const bool is_round = std::fmod(nearest, round_unit) == 0;
   if (!is_round) evidence_ += std::max(0.0, std::log2(spacing / (2 * allowed)));
 }
 
@@ -171,7 +173,7 @@ void TimeDigits::add(const table::Number& number) {
   are_exact_ = are_exact_ && is_exact;
   are_round_ = are_round_ && is_round(number);
   if (is_exact && since != 0) {
-    decimals_ = std::max(decimals_, decimals_of_difference(since, number.decimals));
+    decimals_ = std::max(decimals_, decimals_without_zeros(since, number.decimals));
   }
   are_long_ = are_long_ || (is_exact && number.significant >= long_digits);
   digits_.add(number);

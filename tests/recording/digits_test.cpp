@@ -77,6 +77,22 @@ TEST(Digits, OfTheShortestDecimalsOfFloatsHaveTheirErrorsToo) {
   EXPECT_LE(resolution, 2 * double(std::numeric_limits<float>::epsilon()));
 }
 
+// Beyond 2^24 they are whole numbers that zeros fill up to the point.
+TEST(Digits, OfTheShortestDecimalsOfLargeFloatsAreThoseOfFloats) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < 100; ++i)
+    texts.push_back(
+        fmt::format("{:.0f}", std::stod(fmt::format("{}", 3e12F * std::sin(0.1F * float(i))))));
+  const Resolution resolution = resolution_of<Digits>(texts);
+  EXPECT_EQ(resolution.written, NumberFormat::float32);
+  EXPECT_GE(resolution.at(3e12), std::exp2(18));  // the spacing of floats there
+  EXPECT_LE(resolution.at(3e12), std::exp2(19));
+}
+
+TEST(Digits, OfLargeWholeNumbersAreTheirOwn) {
+  EXPECT_DOUBLE_EQ(resolution_of<Digits>(written("{:.0f}", 3e12)).at(3e12), 1);
+}
+
 // All of them are values of float32.
 TEST(Digits, OfWholeNumbersInMemoryAreTheirOwn) {
   Digits digits;
