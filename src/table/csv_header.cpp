@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "table/number_text.h"
+#include "table/ros_message.h"
 
 namespace twrench::table {
 namespace {
@@ -192,7 +193,9 @@ CsvHeader find_csv_header(const Sample& sample, char separator) {
   } else if (is_header(sample, separator)) {
     header = {names_in(first, first.size()), {}, 1};
   } else {
-    for (std::size_t i = 1; i <= first.size(); ++i) header.names.push_back(fmt::format("#{}", i));
+    header.names = names_of_ros_message(first);
+    for (std::size_t i = header.names.size(); i < first.size(); ++i)
+      header.names.push_back(fmt::format("#{}", i + 1));
     return header;
   }
   if (header.first_row == sample.lines.size()) return header;

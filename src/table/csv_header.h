@@ -12,7 +12,7 @@ namespace twrench::table {
 
 /// The names and units that a text file gives its columns.
 struct CsvHeader {
-  std::vector<std::string> names;  ///< "#1", "#2" ... if the file has none
+  std::vector<std::string> names;  ///< "#1", "#2" ... if the file has none and is no message of ROS
   std::vector<std::string> units;  ///< of each column; or empty
   /// Index of the first row among the lines of the sample; their number if there are no rows.
   std::size_t first_row = 0;

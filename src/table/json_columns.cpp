@@ -71,6 +71,54 @@ std::string rows_of_columns(const Json& object) {
   return text;
 }
 
+/// The names of the components of a keyframe track of three.js.
+std::vector<std::string> components_of_track(const Json& track) {
+  const std::string name = track.value("name", "");
+  if (name.ends_with(".quaternion")) return {"x", "y", "z", "w"};
+  if (name.ends_with(".position") || name.ends_with(".scale")) return {"x", "y", "z"};
+  return {};
+}
+
+bool are_numbers(const Json& array) {
+  return array.is_array() &&
+         std::ranges::all_of(array, [](const Json& value) { return value.is_number(); });
+}
+
+/// Whether the value is a track of known components, with its values in one flat array.
+bool is_track(const Json& value) {
+  if (!value.is_object() || !value.value("name", Json()).is_string()) return false;
+  const Json times = value.value("times", Json()), values = value.value("values", Json());
+  const std::size_t components = components_of_track(value).size();
+  return components > 0 && are_numbers(times) && are_numbers(values) &&
+         values.size() == components * times.size();
+}
+
+/// The rows of the tracks of three.js that have the times of the first quaternion; empty if there
+/// is none.
+std::string rows_of_tracks(const Json& object) {
+  const Json tracks = object.value("tracks", Json());
+  const auto is_quaternion = [](const Json& track) {
+    return is_track(track) && components_of_track(track).size() == 4;
+  };
+  const auto first = std::ranges::find_if(tracks, is_quaternion);
+  if (!tracks.is_array() || first == tracks.end()) return {};
+  const Json& times = (*first)["times"];
+  std::string text;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    Json row{{"time", times[i]}};
+    for (const Json& track : tracks) {
+      if (!is_track(track) || track["times"] != times) continue;
+      const std::vector<std::string> components = components_of_track(track);
+      for (std::size_t k = 0; k < components.size(); ++k) {
+        row[fmt::format("{}.{}", track["name"].get<std::string>(), components[k])] =
+            track["values"][components.size() * i + k];
+      }
+    }
+    text += row.dump() + '\n';
+  }
+  return text;
+}
+
 /// Pandas has the names of the columns beside rows of values.
 bool are_names_of(const Json& names, const Json& row) {
   return names.is_array() && row.is_array() && names.size() == row.size() &&
@@ -100,7 +148,8 @@ std::string rows_of_array(const Json& array, const Json& names) {
 std::string rows_in(const Json& object, int levels) {
   const Json names = object.value("columns", Json());
   const bool has_names = names.is_array() && !names.empty() && names[0].is_string();
-  std::string rows = has_names ? std::string() : rows_of_columns(object);
+  std::string rows = rows_of_tracks(object);
+  if (rows.empty() && !has_names) rows = rows_of_columns(object);
   if (!rows.empty()) return rows;
   for (const auto& [name, value] : object.items()) {
     if (value.is_array()) rows = rows_of_array(value, names);

@@ -23,6 +23,7 @@
 #include "table/opensim_quaternions.h"
 #include "table/stk_attitude.h"
 #include "table/utf16.h"
+#include "table/vector_cells.h"
 #include "table/yaml.h"
 
 namespace twrench::table {
@@ -99,7 +100,8 @@ std::unique_ptr<Reader> open_format(Input input) {
   if (is_yaml(start)) return std::make_unique<JsonReader>(json_from_yaml(input), true);
   if (has_quaternion_cells(start)) return std::make_unique<CsvReader>(table_of_quaternions(input));
   if (is_json(start)) return std::make_unique<JsonReader>(std::move(input));
-  return std::make_unique<CsvReader>(std::move(input));
+  auto table = table_of_vector_cells(input);
+  return std::make_unique<CsvReader>(table ? std::move(*table) : std::move(input));
 }
 
 /// The rows of columns in memory.

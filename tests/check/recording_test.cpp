@@ -108,6 +108,50 @@ TEST(Recording, ReadsNumberedQuaternionsInTheirUsualOrder) {
   EXPECT_THROW(choose_convention(last, {}, tumbling_problem()), InvalidArgument);
 }
 
+// A steady rotation is one in any order, but begins at the identity only in one of them.
+TEST(Recording, ReadsASteadyNumberedQuaternionThatBeginsAtTheIdentity) {
+  const auto text = [](const char* names, const Eigen::Quaterniond& first) {
+    std::string rows = fmt::format("t,{}", names);
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Quaterniond q = first * Eigen::Quaterniond(so3::exp(0.05 * i * omega));
+      rows +=
+          fmt::format("\n{},{:.17g},{:.17g},{:.17g},{:.17g}", 0.05 * i, q.w(), q.x(), q.y(), q.z());
+    }
+    return rows;
+  };
+  const auto choice = [](const std::string& rows) {
+    return choose_convention(Recording(table::open_table("run.csv", std::string_view(rows))), {},
+                             tumbling_problem());
+  };
+  const Eigen::Quaterniond one(1, 0, 0, 0), other(0.5, 0.5, 0.5, 0.5);
+  EXPECT_EQ(choice(text("q0,q1,q2,q3", one)).columns.at("qw"), "q0");
+  EXPECT_THROW(choice(text("q3,q0,q1,q2", one)), InvalidArgument);
+  EXPECT_THROW(choice(text("q0,q1,q2,q3", other)), InvalidArgument);
+}
+
+/// Matrices in the columns Rot[0] ... Rot[8], column by column, below these lines.
+std::string columnwise_matrices(const std::string& lines) {
+  std::string text = lines + "Frame\tTime";
+  for (int i = 0; i < 9; ++i) text += fmt::format("\tRot[{}]", i);
+  for (const recording::Row& row : exact_rows()) {
+    text +=
+        fmt::format("\n{}\t{:.6g}\t{:.6f}", row.number, row.t, fmt::join(row.X.reshaped(), "\t"));
+  }
+  return text;
+}
+
+TEST(Recording, KnowsTheOrderOfQualisys) {
+  const std::string text =
+      columnwise_matrices("NO_OF_FRAMES\t401\nNO_OF_BODIES\t1\nFREQUENCY\t10\nDATA_INCLUDED\t6D\n");
+  const Recording recording(table::open_table("run.tsv", text));
+  const Convention convention = choose_convention(recording, {}, tumbling_problem());
+  EXPECT_EQ(convention.columns.at("x12"), "Rot[3]");
+  EXPECT_TRUE(judge(recording, convention, tumbling_problem()).within_digits);
+  const std::string of_others = columnwise_matrices("");
+  const Recording other(table::open_table("run.tsv", of_others));
+  EXPECT_THROW(choose_convention(other, {}, tumbling_problem()), InvalidArgument);
+}
+
 /// The numbers of an attitude under these names, beside the rates of a simulator without a
 /// gyroscopic term: they do not change, and the attitude integrates them.
 template <typename Numbers>

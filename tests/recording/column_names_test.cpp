@@ -323,5 +323,28 @@ TEST(Quaternions, MayBeCalledRotations) {
   EXPECT_THAT(readings_of({"t", "rotation.x", "rotation.y", "rotation.z"}), SizeIs(6));
 }
 
+// Unity's quaternions, or the axes and angles of VRML.
+TEST(Rotations, OfFourNumbersAreQuaternionsOrAxesAndAngles) {
+  EXPECT_THAT(
+      readings_of({"t", "rotation[0]", "rotation[1]", "rotation[2]", "rotation[3]"}),
+      ElementsAre("t=t,qw=rotation[0],qx=rotation[1],qy=rotation[2],qz=rotation[3]",
+                  "t=t,qw=rotation[3],qx=rotation[0],qy=rotation[1],qz=rotation[2]",
+                  "t=t,axisx=rotation[0],axisy=rotation[1],axisz=rotation[2],angle=rotation[3]"));
+  EXPECT_THAT(readings_of({"t", "rotation[0]", "rotation[1]", "rotation[2]", "rotation[3]", "qw",
+                           "qx", "qy", "qz"}),
+              ElementsAre("t=t,qw=qw,qx=qx,qy=qy,qz=qz"));
+  Names matrix{"t"};
+  for (int i = 0; i < 9; ++i) matrix.push_back("rotation[" + std::to_string(i) + "]");
+  for (const std::string& reading : readings_of(matrix)) EXPECT_THAT(reading, HasSubstr("x33="));
+}
+
+// As three.js names the components.
+TEST(Quaternions, MayHaveNoOtherWords) {
+  EXPECT_THAT(readings_of({"time", "_x", "_y", "_z", "_w"}),
+              ElementsAre("t=time,qw=_w,qx=_x,qy=_y,qz=_z"));
+  EXPECT_THAT(readings_of({"time", "x", "y", "z", "w", "gyro_x", "gyro_y", "gyro_z"}),
+              ElementsAre("t=time,wx=gyro_x,wy=gyro_y,wz=gyro_z"));
+}
+
 }  // namespace
 }  // namespace twrench::recording

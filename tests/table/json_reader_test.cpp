@@ -125,6 +125,29 @@ TEST(JsonObject, HasItsRowsInAnyMember) {
             (std::vector<std::string>{"t", "q[0]", "q[1]"}));
 }
 
+// The names that three.js gives to tracks determine their components.
+TEST(JsonObject, HasTheTracksOfAnimations) {
+  const Table table = read_table(
+      R"({"name": "spin", "duration": 0.1, "tracks": [
+        {"name": "box.scale", "type": "vector", "times": [0], "values": [1, 1, 1]},
+        {"name": "box.quaternion", "type": "quaternion", "times": [0, 0.1],
+         "values": [0, 0, 0, 1, 0.5, 0.5, 0.5, 0.5]},
+        {"name": "box.position", "type": "vector", "times": [0, 0.1],
+         "values": [1, 2, 3, 4, 5, 6]}]})");
+  EXPECT_EQ(table.names,
+            (std::vector<std::string>{"time", "box.quaternion.x", "box.quaternion.y",
+                                      "box.quaternion.z", "box.quaternion.w", "box.position.x",
+                                      "box.position.y", "box.position.z"}));
+  EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{0, 0, 0, 0, 1, 1, 2, 3},
+                                                          {0.1, 0.5, 0.5, 0.5, 0.5, 4, 5, 6}}));
+  // Values that do not belong to the times are no track.
+  EXPECT_EQ(read_table(R"({"tracks": [{"name": "a.quaternion", "times": [0, 1],
+                                       "values": [0, 0, 0, 1]}]})",
+                       {1})
+                .names[0],
+            "name");
+}
+
 TEST(JsonObject, StatesNumbersBesideItsRows) {
   const std::string text = R"({"fps": 50, "by": "me", "frames": [{"frame": 0}, {"frame": 1}]})";
   EXPECT_EQ(open_table("run", std::string_view(text))->header().preamble,

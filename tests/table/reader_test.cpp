@@ -215,5 +215,68 @@ TEST(OpenSim, HasAColumnForEachComponentOfAQuaternion) {
             (std::vector<std::vector<double>>{{0, 1, 0, 0, 0}, {0.02, 0.5, 0.5, 0.5, 0.5}}));
 }
 
+// As ToString() of Unity and lists of Python write them.
+TEST(VectorCells, HaveAColumnForEachNumber) {
+  const std::vector<std::string> names{"t", "w[0]", "w[1]", "w[2]", "n"};
+  for (const char* text : {"t;w;n\n0;(1.5, 2, 3);7\n0.1;(4, 5, 6);8\n",
+                           "t,w,n\n0,\"(1.5, 2, 3)\",7\n0.1,\"(4, 5, 6)\",8\n",
+                           "t,w,n\n0,(1.5, 2, 3),7\n0.1,(4, 5, 6),8\n",
+                           "# a comment\nt\tw\tn\n0\t[1.5 2  3]\t7\n\n0.1\t[ 4 5 6 ]\t8\n"}) {
+    const Table table = read_table(text);
+    EXPECT_EQ(table.names, names) << text;
+    EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{0, 1.5, 2, 3, 7}, {0.1, 4, 5, 6, 8}}))
+        << text;
+  }
+}
+
+TEST(VectorCells, AreNotGuessed) {
+  // Some of these commas are decimal ones.
+  EXPECT_EQ(read_table("t;w;n\n0;(0,1, 0,2, 0,3);1\n1;(0,1, 0,2, 0,3);1\n", {0}).names,
+            (std::vector<std::string>{"t", "w", "n"}));
+  EXPECT_EQ(read_table("t;z;n\n0;(1, 2);1\n1;(1, 2);1\n", {0}).names.size(), 3);
+}
+
+TEST(VectorCells, NameTheRowOfAMistake) {
+  EXPECT_EQ(table_error_of("t;w;n\n0;(1, 2, 3);1\n\n1;(1, 2);1\n"),
+            "run:4: the column 'w': '(1, 2)' is no vector of 3 numbers in brackets -- correct or "
+            "remove the row");
+  EXPECT_EQ(table_error_of("t;w;n\n0;(1, 2, 3);1\n1;(1, x, 3);1\n"),
+            "run:3: the column 'w[1]': 'x' is no number -- correct or remove the row, or choose "
+            "another column");
+  EXPECT_THAT(table_error_of("t;w;n\n0;(1, 2, 3);1\n1;;1\n"),
+              testing::HasSubstr("run:3: the column 'w[0]': the cell is empty"));
+}
+
+/// The row of `ros2 topic echo --csv` with these first cells, and numbers behind them.
+std::string row_of_ros(std::string row, int count) {
+  for (int i = 4; i <= count; ++i) row += "," + std::to_string(i);
+  return row + "\n";
+}
+
+TEST(RosMessage, HasTheNamesOfItsMembers) {
+  const Table imu =
+      read_table(row_of_ros("17,250000000,imu", 40) + row_of_ros("17,260000000,imu", 40), {0});
+  ASSERT_EQ(imu.names.size(), 40);
+  EXPECT_EQ(imu.names[0], "header.stamp.sec");
+  EXPECT_EQ(imu.names[1], "header.stamp.nanosec");
+  EXPECT_EQ(imu.names[3], "orientation.x");
+  EXPECT_EQ(imu.names[6], "orientation.w");
+  EXPECT_EQ(imu.names[16], "angular_velocity.x");
+  EXPECT_EQ(imu.names[18], "angular_velocity.z");
+  EXPECT_EQ(imu.names[28], "linear_acceleration.x");
+  const Table pose = read_table(row_of_ros("17,250000000,map", 10), {0});
+  EXPECT_EQ(pose.names[5], "pose.position.z");
+  EXPECT_EQ(pose.names[6], "pose.orientation.x");
+  EXPECT_EQ(pose.names[9], "pose.orientation.w");
+}
+
+TEST(RosMessage, HasAHeaderAndAsManyNumbers) {
+  for (const std::string& row :
+       {row_of_ros("17,250000000,map", 9), row_of_ros("17,250000000,3", 10),
+        row_of_ros("17,2500000000,map", 10), row_of_ros("17.5,250000000,map", 10)}) {
+    EXPECT_EQ(read_table(row, {0}).names[0], "#1") << row;
+  }
+}
+
 }  // namespace
 }  // namespace twrench::table

@@ -24,6 +24,7 @@
 #include "recording/columns/stated_unit.h"
 #include "recording/conventions/convention.h"
 #include "recording/conventions/names.h"
+#include "recording/informative_rows.h"
 #include "recording/time_choice.h"
 #include "table/reader.h"
 
@@ -126,12 +127,35 @@ bool is_usual_vector(const std::vector<Convention>& open, const Convention& one)
          });
 }
 
+/// Whether the conventions differ only in the order of the entries of a matrix in a file of
+/// Qualisys, and this one has its order: Rot[0], Rot[3] and Rot[6] are the first row.
+bool is_order_of_qualisys(const table::Header& header, const std::vector<Convention>& open,
+                          const Convention& one) {
+  const bool is_of_qualisys = std::ranges::any_of(
+      header.preamble, [](const std::string& line) { return line.starts_with("NO_OF_BODIES"); });
+  return is_of_qualisys && open.size() == 2 && attitude_form(one) == AttitudeForm::matrix &&
+         recording::words_of(one.columns.at("x12")).back() == "3" &&
+         differ_only_in({"columns"}, open, one);
+}
+
 /// The convention with times in s, if only the unit of times is open.
 std::optional<Convention> in_seconds(const std::vector<Convention>& open) {
   const Convention& first = open.front();
   const bool is_unit_alone = differ_only_in({"time_unit"}, open, first);
   return is_unit_alone && time_unit(first) == recording::TimeUnit::s ? std::optional(first)
                                                                      : std::nullopt;
+}
+
+/// The convention of the usual order of a quaternion, if the first row is the identity in it.
+/// Steady rotations fit in any order, and simulations usually begin there.
+std::optional<Convention> usual_from_identity(const recording::Recording& recording,
+                                              const std::vector<Convention>& open) {
+  const auto usual = std::ranges::find_if(
+      open, [&](const Convention& one) { return is_usual_order(recording.header(), open, one); });
+  if (usual == open.end()) return std::nullopt;
+  const std::vector<recording::Row> first = recording::beginning(recording, *usual, 1);
+  const bool is_identity = !first.empty() && first.front().X.isIdentity(0);
+  return is_identity ? std::optional(*usual) : std::nullopt;
 }
 
 InvalidArgument ambiguous(const table::Header& header, const std::vector<Convention>& open,
@@ -256,7 +280,7 @@ Convention choose_convention(const recording::Recording& recording, const Conven
     const auto is_same = [&](const Convention& other) { return count_changes(other, one) == 0; };
     return std::ranges::any_of(open, is_same) &&
            (is_usual_order(header, open, one) || is_usual_sequence(open, one) ||
-            is_usual_vector(open, one));
+            is_usual_vector(open, one) || is_order_of_qualisys(header, open, one));
   };
   std::optional<Reading> fitting;
   if (problem) fitting = fitting_one(recording, problem->inertia, open);
@@ -268,6 +292,8 @@ Convention choose_convention(const recording::Recording& recording, const Conven
   }
   if (fitting && is_usual(*fitting)) return fitting->convention;
   if (problem && !fitting) fitting = unexpected(recording, *problem, open);
+  if (const auto usual = fitting ? std::nullopt : usual_from_identity(recording, open))
+    return *usual;
   if (const auto usual = fitting ? std::nullopt : in_seconds(open)) return *usual;
   throw ambiguous(header, open, fitting);
 }

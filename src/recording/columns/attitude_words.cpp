@@ -55,6 +55,11 @@ void add_vector(const Words& words, const IsNamed& is_named, bool is_weak,
   }
 }
 
+/// rotation[0] to rotation[3]: a quaternion, or an axis and an angle as of VRML and Webots.
+bool is_numbered_rotation(const Words& words) {
+  return words.size() == 2 && words[0] == "rotation" && is_in({"0", "1", "2", "3"}, words[1]);
+}
+
 }  // namespace
 
 void add_euler(const Words& all_words, std::vector<Role>& roles) {
@@ -132,7 +137,8 @@ void add_quaternion(const Words& all_words, std::vector<Role>& roles) {
     if (!component) continue;
     const bool is_ordered = has_any(rest, orders);
     const bool is_numbered = alphabet.name != "wxyz";
-    if (is_weak && is_numbered) continue;  // those of a matrix
+    // Numbers from 1, and others than rotation[0] to rotation[3], are those of a matrix.
+    if (is_weak && is_numbered && !is_numbered_rotation(words)) continue;
     const bool is_last = is_numbered && has_any(rest, {"xyzw"});
     roles.push_back({fmt::format("{}:{}", alphabet.name, fmt::join(rest, " ")),
                      is_last ? (*component + 1) % 4 : *component, false, is_numbered && !is_ordered,
@@ -199,6 +205,8 @@ void add_axis_angle(const Words& all_words, std::vector<Role>& roles) {
   }
   const auto is_named = [](const Words& rest) { return rest == Words{"axis"}; };
   add_vector(words, is_named, true, roles);
+  if (is_numbered_rotation(words))
+    roles.push_back({"rotation", *digit_of(words.back()), false, false, true});
   // A vector a is an acceleration, too.
   if (const auto component = joined_component(words, {"a"})) {
     roles.push_back({"a", *component, false, false, true});

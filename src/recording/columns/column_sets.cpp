@@ -203,6 +203,22 @@ void require_no_rest(const table::Header& header, Kind kind,
   }
 }
 
+using Words = std::vector<std::string>;
+
+/// The columns whose names have no other words than those of the components, if there are all.
+std::optional<ColumnSet> find_bare_set(const table::Header& header, Kind kind,
+                                       const std::vector<Words>& components) {
+  Group group;
+  for (const Words& words : components) {
+    std::vector<std::size_t>& of_one = group.columns.emplace_back();
+    for (std::size_t column = 0; column < header.names.size(); ++column) {
+      if (words_of(header.names[column]) == words) of_one.push_back(column);
+    }
+  }
+  if (!is_complete(group)) return std::nullopt;
+  return ColumnSet{kind, require_single(header, kind, group)};
+}
+
 }  // namespace
 
 std::vector<ColumnSet> orders_of(Kind kind, const std::vector<std::size_t>& columns) {
@@ -229,7 +245,10 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind, Incompl
     if (!is_complete(group)) continue;
     const std::vector<std::size_t> columns = require_single(header, kind, group);
     if (group.is_open) {
-      std::ranges::move(orders_of(kind, columns), std::back_inserter(sets));
+      for (ColumnSet& set : orders_of(kind, columns)) {
+        set.is_weak = group.is_weak;
+        sets.push_back(std::move(set));
+      }
     } else {
       sets.push_back({kind, columns, group.in_space, group.is_weak});
     }
@@ -239,23 +258,19 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind, Incompl
 }
 
 std::vector<ColumnSet> find_bare_rates(const table::Header& header) {
-  using Words = std::vector<std::string>;
-  const std::vector<std::vector<Words>> names{
-      {{"x"}, {"y"}, {"z"}}, {{"xyz", "0"}, {"xyz", "1"}, {"xyz", "2"}}, {{"gx"}, {"gy"}, {"gz"}}};
   std::vector<ColumnSet> sets;
-  for (const std::vector<Words>& components : names) {
-    Group group;
-    for (const Words& words : components) {
-      std::vector<std::size_t>& of_one = group.columns.emplace_back();
-      for (std::size_t column = 0; column < header.names.size(); ++column) {
-        if (words_of(header.names[column]) == words) of_one.push_back(column);
-      }
-    }
-    if (is_complete(group)) {
-      sets.push_back({Kind::rates, require_single(header, Kind::rates, group), false});
-    }
+  for (const std::vector<Words>& components :
+       std::vector<std::vector<Words>>{{{"x"}, {"y"}, {"z"}},
+                                       {{"xyz", "0"}, {"xyz", "1"}, {"xyz", "2"}},
+                                       {{"gx"}, {"gy"}, {"gz"}}}) {
+    if (const auto set = find_bare_set(header, Kind::rates, components)) sets.push_back(*set);
   }
   return sets;
+}
+
+std::vector<ColumnSet> find_bare_quaternions(const table::Header& header) {
+  const auto set = find_bare_set(header, Kind::quaternion, {{"w"}, {"x"}, {"y"}, {"z"}});
+  return set ? std::vector{*set} : std::vector<ColumnSet>();
 }
 
 std::string columns_remedy(const table::Header& header) {

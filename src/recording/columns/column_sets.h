@@ -31,6 +31,10 @@ std::vector<ColumnSet> find_sets(const table::Header& header, Kind kind,
 /// ColumnError if two columns have one name.
 std::vector<ColumnSet> find_bare_rates(const table::Header& header);
 
+/// Returns the quaternion in columns that say no more than x, y, z and w, as three.js names them.
+/// Throws ColumnError if two columns have one name.
+std::vector<ColumnSet> find_bare_quaternions(const table::Header& header);
+
 /// Returns the sets that these columns may form if their names leave the order open: a quaternion
 /// has its scalar first or last, a matrix its entries by rows or by columns, and Euler angles begin
 /// with yaw or with roll.

@@ -150,7 +150,7 @@ std::vector<ColumnSet> find_attitudes(const table::Header& header, const Convent
   if (quaternion != found.end()) {
     const std::set of_quaternion(quaternion->columns.begin(), quaternion->columns.end());
     std::erase_if(found, [&](const ColumnSet& set) {
-      return set.kind != Kind::quaternion &&
+      return set.columns.size() < of_quaternion.size() &&
              std::ranges::all_of(
                  set.columns, [&](std::size_t column) { return of_quaternion.contains(column); });
     });
@@ -243,6 +243,7 @@ std::vector<ColumnChoice> column_choices(const table::Header& header, const Conv
     std::vector<ColumnSet> found_rates = find_rates(header);
     std::vector<ColumnSet> found = find_attitudes(
         header, said, found_rates.empty() ? Incomplete::refused : Incomplete::ignored);
+    if (found_rates.empty() && found.empty()) found = find_bare_quaternions(header);
     if (found_rates.empty() && found.empty()) found_rates = bare_rates(header);
     rates = or_nothing(found_rates);
     attitude = or_nothing(found);
