@@ -489,6 +489,9 @@ TEST_F(CheckCommand, KnowsNoiseFromErrors) {
   const Outcome fitted = check("noisy.csv --fit " + body);
   EXPECT_EQ(fitted.code, 0) << fitted.out;
   EXPECT_THAT(fitted.out, Not(HasSubstr("use --fit")));
+  // Rounding errors of a simulator may be noise that is smaller than the last digit.
+  simulate("rounded.csv", "--method rkmk4 --step 0.001 --duration 10");
+  EXPECT_THAT(check("rounded.csv " + body).out, Not(HasSubstr(",  rms")));
   // An error of a method is no noise.
   simulate("rough.csv", "--method rkmk4 --step 0.5 --duration 40");
   EXPECT_EQ(judged("rough.csv " + body)["finding"], "integration");

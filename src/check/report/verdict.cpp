@@ -228,12 +228,15 @@ std::string no_rotation_text(const Judgement& judgement) {
 /// States the noise and the errors that it explains.
 std::string noise_verdict_text(const Judgement& judgement) {
   std::vector<std::string> noise;
-  if (judgement.noise.rate > judgement.digits.rate) {
+  const bool exceeds_digits = judgement.noise.rate > judgement.digits.rate ||
+                              judgement.noise.attitude > judgement.digits.attitude;
+  const LastDigits digits = exceeds_digits ? judgement.digits : LastDigits{};
+  if (judgement.noise.rate > digits.rate) {
     const RateScale unit = rate_scale(judgement);
     noise.push_back(
         fmt::format("{:.2g} {} in the rates", judgement.noise.rate * unit.per_radian, unit.symbol));
   }
-  if (judgement.noise.attitude > judgement.digits.attitude) {
+  if (judgement.noise.attitude > digits.attitude) {
     noise.push_back(fmt::format("{:.2g} deg in the attitude", degrees(judgement.noise.attitude)));
   }
   return fmt::format(
