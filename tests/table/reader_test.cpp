@@ -233,7 +233,7 @@ TEST(VectorCells, AreNotGuessed) {
   // Some of these commas are decimal ones.
   EXPECT_EQ(read_table("t;w;n\n0;(0,1, 0,2, 0,3);1\n1;(0,1, 0,2, 0,3);1\n", {0}).names,
             (std::vector<std::string>{"t", "w", "n"}));
-  EXPECT_EQ(read_table("t;z;n\n0;(1, 2);1\n1;(1, 2);1\n", {0}).names.size(), 3);
+  EXPECT_EQ(read_table("t;z;n\n0;(1,5, 2,5);1\n1;(1,5, 2,5);1\n", {0}).names.size(), 3);
 }
 
 TEST(VectorCells, NameTheRowOfAMistake) {
