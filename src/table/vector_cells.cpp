@@ -12,7 +12,6 @@
 
 #include "base/words.h"
 #include "table/dialect.h"
-#include "table/error.h"
 #include "table/line_reader.h"
 
 namespace twrench::table {
@@ -90,18 +89,32 @@ std::string next_line(LineReader& lines, char separator) {
   return {};
 }
 
+/// The sizes of the vectors in each column; the first rows may lack some.
+std::vector<std::size_t> sizes_in_first_rows(LineReader& lines, char separator,
+                                             std::size_t columns) {
+  constexpr int rows = 64;
+  std::vector<std::size_t> sizes(columns, 0);
+  for (int row = 0; row < rows; ++row) {
+    const std::string line = next_line(lines, separator);
+    const auto cells = cells_outside_brackets(line, separator);
+    if (cells.size() != columns) break;
+    for (std::size_t i = 0; i < columns; ++i)
+      sizes[i] = std::max(sizes[i], size_of_vector(cells[i]));
+  }
+  return sizes;
+}
+
 std::optional<VectorColumns> columns_with_vectors(const Input& input) {
   for (const char separator : {'\t', ';', '|', ','}) {
     LineReader lines(input);
-    const std::string names = next_line(lines, separator), row = next_line(lines, separator);
     VectorColumns columns{separator, {}, {}};
-    for (const std::string_view cell : cells_outside_brackets(row, separator))
-      columns.sizes.push_back(size_of_vector(cell));
+    const std::string names = next_line(lines, separator);
     for (const std::string_view cell : cells_outside_brackets(names, separator))
       columns.names.emplace_back(without_quotes(cell));
+    columns.sizes = sizes_in_first_rows(lines, separator, columns.names.size());
     const bool has_vectors =
         std::ranges::any_of(columns.sizes, [](std::size_t size) { return size > 0; });
-    if (has_vectors && columns.names.size() == columns.sizes.size()) return columns;
+    if (has_vectors) return columns;
   }
   return std::nullopt;
 }
@@ -119,17 +132,16 @@ std::string expanded_names(const VectorColumns& columns) {
   return line;
 }
 
-/// The numbers of a vector as cells; empty cells for an empty one.
-std::string expanded_cell(std::string_view cell, std::size_t size, char separator,
-                          const std::string& place) {
-  if (cell.empty()) return std::string(size - 1, separator);
+/// The numbers of a vector as cells. If it has others, the first cell has its text, which is an
+/// error only where its column is read.
+std::string expanded_cell(std::string_view cell, std::size_t size, char separator) {
   const std::vector<std::string_view> numbers = numbers_in_brackets(cell);
-  if (numbers.size() != size) {
-    throw BadTable(place, fmt::format("'{}' is no vector of {} numbers in brackets", cell, size),
-                   "correct or remove the row");
+  const bool is_other = numbers.size() != size;
+  std::string text = is_other && !cell.empty() ? fmt::format("\"{}\"", without_quotes(cell)) : "";
+  for (std::size_t k = 0; k < size; ++k) {
+    if (k > 0) text += separator;
+    if (!is_other) text += numbers[k];
   }
-  std::string text(numbers.front());
-  for (std::size_t k = 1; k < size; ++k) text.append(1, separator).append(numbers[k]);
   return text;
 }
 
@@ -154,10 +166,7 @@ std::optional<Input> table_of_vector_cells(const Input& input) {
         const std::size_t size = columns->sizes[i];
         if (i > 0) *text += columns->separator;
         if (size == 0) *text += cells[i];
-        if (size > 0) {
-          *text += expanded_cell(cells[i], size, columns->separator,
-                                 cell_place(lines.place(), columns->names[i]));
-        }
+        if (size > 0) *text += expanded_cell(cells[i], size, columns->separator);
       }
     }
   }

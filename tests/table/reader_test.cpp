@@ -229,6 +229,12 @@ TEST(VectorCells, HaveAColumnForEachNumber) {
   }
 }
 
+TEST(VectorCells, MayBeMissingInTheFirstRows) {
+  const Table table = read_table("t;w;q\n0;(1, 2, 3);\n1;(NaN, NaN, NaN);(1, 0, 0, 0)\n", {0});
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "w[0]", "w[1]", "w[2]", "q[0]", "q[1]",
+                                                   "q[2]", "q[3]"}));
+}
+
 TEST(VectorCells, AreNotGuessed) {
   // Some of these commas are decimal ones.
   EXPECT_EQ(read_table("t;w;n\n0;(0,1, 0,2, 0,3);1\n1;(0,1, 0,2, 0,3);1\n", {0}).names,
@@ -237,9 +243,13 @@ TEST(VectorCells, AreNotGuessed) {
 }
 
 TEST(VectorCells, NameTheRowOfAMistake) {
-  EXPECT_EQ(table_error_of("t;w;n\n0;(1, 2, 3);1\n\n1;(1, 2);1\n"),
-            "run:4: the column 'w': '(1, 2)' is no vector of 3 numbers in brackets -- correct or "
-            "remove the row");
+  const std::string of_other_size = "t;w;n\n0;(1, 2, 3);1\n\n1;(1, 2);1\n";
+  EXPECT_EQ(table_error_of(of_other_size),
+            "run:4: the column 'w[0]': '(1, 2)' is no number -- correct or remove the row, or "
+            "choose another column");
+  // Columns that are not read may contain anything.
+  EXPECT_EQ(read_table(of_other_size, {0, 4}).rows,
+            (std::vector<std::vector<double>>{{0, 1}, {1, 1}}));
   EXPECT_EQ(table_error_of("t;w;n\n0;(1, 2, 3);1\n1;(1, x, 3);1\n"),
             "run:3: the column 'w[1]': 'x' is no number -- correct or remove the row, or choose "
             "another column");
