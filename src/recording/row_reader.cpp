@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "recording/digits.h"
 #include "recording/row_decoder.h"
+#include "recording/steady_turn.h"
 #include "table/calendar.h"
 #include "table/error.h"
 
@@ -38,6 +40,7 @@ struct RowReader::State {
   table::Number last_number;  ///< the same as the file has it
   TimeDigits time_digits;
   Digits rate_digits, attitude_digits;
+  SteadyTurn steady_turn;
   double largest_momentum = 0;  ///< of the components, in the file's unit
 };
 
@@ -147,6 +150,7 @@ bool RowReader::next(Row& row) {
     state.attitude_digits.add(number);
   }
   row.number = ++state.rows;
+  if (has_rates() && attitude() != AttitudeForm::none) state.steady_turn.add(row);
   return true;
 }
 
@@ -166,9 +170,18 @@ Resolution RowReader::rate_resolution() const {
     printed.relative = std::numeric_limits<double>::epsilon();
     printed.base = 2;
   }
-  const bool has_all_digits =
-      attitude() != AttitudeForm::none && attitude_resolution().written == NumberFormat::float64;
-  if (!has_all_digits || !state_->rate_digits.are_round()) return printed;
+  if (attitude() == AttitudeForm::none) return printed;
+  const Resolution of_attitude = attitude_resolution();
+  const bool has_all_digits = of_attitude.written == NumberFormat::float64;
+  constexpr double quarters = 4;  // modified Rodrigues parameters have a quarter of the angle
+  const Eigen::Vector3d& omega = state_->steady_turn.omega();
+  double rate = printed.at(omega.cwiseAbs().maxCoeff());
+  for (const double component : omega) {
+    if (component != 0) rate = std::min(rate, printed.at(component));
+  }
+  const bool is_steady =
+      state_->steady_turn.determines_rates(rate, quarters * of_attitude.at(std::numbers::pi));
+  if (!is_steady && !(has_all_digits && state_->rate_digits.are_round())) return printed;
   Resolution exact;
   exact.unit = printed.unit;
   return exact;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <twrench/math/so3.h>
 
 #include <Eigen/Geometry>
 #include <array>
@@ -126,6 +127,24 @@ TEST(RowReader, TakesRoundRatesBesideAllDigitsForExact) {
     rows_of(reader);
     EXPECT_NEAR(reader.rate_resolution().at(20), digit, 0.5 * digit) << rates;
   }
+}
+
+// A simulator without a gyroscopic term writes 0.05, 2 and 0.03 in each row.
+TEST(RowReader, TakesRatesAtWhichTheAttitudeTurnsForExact) {
+  const auto digit_of = [](const Eigen::Vector3d& turning_at, int decimals) {
+    std::string text = "t,qw,qx,qy,qz,wx,wy,wz\n";
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::Quaterniond q(so3::exp(0.1 * i * turning_at));
+      text += fmt::format("{:.1f},{:.{}f},{:.{}f},{:.{}f},{:.{}f},0.05,2,0.03\n", 0.1 * i, q.w(),
+                          decimals, q.x(), decimals, q.y(), decimals, q.z(), decimals);
+    }
+    RowReader reader = reader_of(text);
+    rows_of(reader);
+    return reader.rate_resolution().at(2);
+  };
+  EXPECT_LT(digit_of({0.05, 2, 0.03}, 8), 1e-15);
+  EXPECT_EQ(digit_of({0.051, 2, 0.03}, 8), 1);
+  EXPECT_EQ(digit_of({0.05, 2, 0.03}, 3), 1);  // 0.051 would fit as well
 }
 
 TEST(RowReader, RefusesTimesAndRatesBeyondTheLimits) {
