@@ -103,15 +103,18 @@ std::string rows_of_tracks(const Json& object) {
   const auto first = std::ranges::find_if(tracks, is_quaternion);
   if (!tracks.is_array() || first == tracks.end()) return {};
   const Json& times = (*first)["times"];
+  std::vector<const Json*> together;
+  for (const Json& track : tracks) {
+    if (is_track(track) && track["times"] == times) together.push_back(&track);
+  }
   std::string text;
   for (std::size_t i = 0; i < times.size(); ++i) {
     Json row{{"time", times[i]}};
-    for (const Json& track : tracks) {
-      if (!is_track(track) || track["times"] != times) continue;
-      const std::vector<std::string> components = components_of_track(track);
+    for (const Json* const track : together) {
+      const std::vector<std::string> components = components_of_track(*track);
       for (std::size_t k = 0; k < components.size(); ++k) {
-        row[fmt::format("{}.{}", track["name"].get<std::string>(), components[k])] =
-            track["values"][components.size() * i + k];
+        row[fmt::format("{}.{}", (*track)["name"].get<std::string>(), components[k])] =
+            (*track)["values"][components.size() * i + k];
       }
     }
     text += row.dump() + '\n';
