@@ -46,13 +46,15 @@ class Sum {
 
 /// Reads a mesh in cm. Its unit is the metre unless the file determines another. The factors of its
 /// coordinates may differ, or mirror it.
-mesh::MeshFile read(const fs::path& file, const Vector3d& factors, double shell) {
-  mesh::ReadOptions options{
-      .default_scale = 1.0 / cm, .factor = factors[0], .shell = shell, .search = false};
+mesh::MeshFile read(const fs::path& file, const Vector3d& factors, mesh::ReadOptions options = {}) {
+  options.default_scale = 1.0 / cm;
+  options.factor = factors[0];
+  options.search = false;
   if (factors.isConstant(factors[0]) && factors[0] > 0.0) return mesh::read_mesh(file, options);
   options.factor = 1.0;
   mesh::ReadOptions as_surface = options;
   as_surface.shell = 1.0;  // any wall, because the coordinates alone are used
+  as_surface.weld = 0.0;
   body::TriangleMesh surface = *mesh::read_mesh(file, as_surface).shape.surface;
   for (Vector3d& vertex : surface.vertices) vertex = vertex.cwiseProduct(factors);
   options.scale = 1.0;
@@ -62,10 +64,29 @@ mesh::MeshFile read(const fs::path& file, const Vector3d& factors, double shell)
 /// The thickness of a wall does not matter, because its mass is divided out.
 constexpr double any_thickness = 1.0;
 
+double size_of(const body::TriangleMesh& surface) {
+  double size = 0.0;
+  for (const Vector3d& vertex : surface.vertices)
+    size = std::max(size, vertex.cwiseAbs().maxCoeff());
+  return size;
+}
+
+/// Reads a solid whose surface is open only because of the rounding of coordinates, as in many
+/// files of CAD programs: some vertices differ by 1e-18 m. Returns nothing if it is not.
+std::optional<body::Mesh> rounded_solid(const fs::path& file, const Vector3d& scale,
+                                        const body::TriangleMesh& surface) {
+  constexpr double rounding = 2e-7;  // of two numbers in single precision
+  try {
+    return read(file, scale, {.weld = rounding * size_of(surface)}).shape;
+  } catch (const InvalidArgument&) {
+    return std::nullopt;
+  }
+}
+
 Meshes::Loaded load_mesh(const fs::path& file, const Vector3d& scale) {
   Meshes::Loaded loaded;
   try {
-    loaded.solid = read(file, scale, 0.0).shape;
+    loaded.solid = read(file, scale).shape;
     loaded.wall = body::make_mesh(*loaded.solid->surface, any_thickness);
     return loaded;
   } catch (const mesh::MeshError& error) {
@@ -74,7 +95,9 @@ Meshes::Loaded load_mesh(const fs::path& file, const Vector3d& scale) {
     loaded.problem = error.what();
     return loaded;
   }
-  loaded.wall = read(file, scale, any_thickness).shape;
+  loaded.wall = read(file, scale, {.shell = any_thickness}).shape;
+  loaded.solid = rounded_solid(file, scale, *loaded.wall->surface);
+  if (loaded.solid) loaded.problem.clear();
   return loaded;
 }
 
@@ -130,9 +153,13 @@ const Meshes::Loaded& Meshes::load(const MeshReference& reference) {
     files_.push_back(*file);
     loaded = load_mesh(*file, reference.scale);
   } else {
-    loaded.problem =
-        fmt::format("its mesh {} was not found; name the folder that contains its package: {}",
-                    reference.uri, argument("package-path", "DIR"));
+    const bool is_in_package =
+        reference.uri.starts_with("package://") || reference.uri.starts_with("model://");
+    loaded.problem = fmt::format(
+        "its mesh '{}' was not found; {}", reference.uri,
+        is_in_package
+            ? "name the folder that contains its package: " + argument("package-path", "DIR")
+            : "paths are relative to the folder of the description");
   }
   return loaded_.emplace(key, std::move(loaded)).first->second;
 }
@@ -162,7 +189,9 @@ void LinkGeometry::add(const Geometry& geometry, Meshes& meshes) {
     const Meshes::Loaded& mesh = meshes.load(std::get<MeshReference>(geometry.shape));
     if (mesh.solid) placed.solid = *mesh.solid;
     if (mesh.wall) placed.surface = *mesh.wall;
-    if (!mesh.problem.empty()) problems_.push_back(mesh.problem);
+    // The visual and the collision geometry are often the same mesh.
+    const bool is_new = std::ranges::find(problems_, mesh.problem) == problems_.end();
+    if (!mesh.problem.empty() && is_new) problems_.push_back(mesh.problem);
     is_known_ = is_known_ && mesh.wall.has_value();
   }
   placed_.push_back(std::move(placed));

@@ -1,5 +1,6 @@
 #include "robot/geometry.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,6 +84,41 @@ TEST(LinkGeometry, FindsMeshesOfPackages) {
   EXPECT_TRUE(geometry.models()[0].body.centre.isApprox(Vector3d(0.5, 0.5, -0.5), 1e-14));
 }
 
+// CAD programs write -4e-18 beside 0.
+TEST(LinkGeometry, ClosesMeshesThatRoundingOpened) {
+  for (const char* noise : {"1e-18", "1e-4"}) {
+    for (const char* scale : {"1 1 1", "0.001 0.001 -0.001"}) {
+      const RobotFile file(
+          fmt::format("<robot name='r'><link name='a'><visual><geometry>"
+                      "<mesh filename='t.obj' scale='{0}'/></geometry></visual>"
+                      "<collision><geometry><mesh filename='t.obj' scale='{0}'/>"
+                      "</geometry></collision></link></robot>",
+                      scale));
+      std::ofstream(file.folder() / "t.obj")
+          << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv " << noise << " 0 0\n"
+          << "f 1 3 2\nf 5 2 4\nf 2 3 4\nf 1 4 3\n";
+      const Robot robot = file.read();
+      const LinkGeometry geometry = geometry_of(robot);
+      const bool is_rounding = noise == std::string("1e-18");
+      EXPECT_EQ(geometry.models().front().volume.has_value(), is_rounding) << noise;
+      // Once, though both geometries are this mesh.
+      EXPECT_THAT(geometry.problems(), SizeIs(is_rounding ? 0 : 1)) << noise;
+    }
+  }
+}
+
+TEST(LinkGeometry, SaysWhereAMeshIsLookedFor) {
+  const auto problem = [](const std::string& uri) {
+    const RobotFile file("<robot name='r'><link name='a'><visual><geometry><mesh filename='" + uri +
+                         "'/></geometry></visual></link></robot>");
+    const Robot robot = file.read();
+    return geometry_of(robot).problems().front();
+  };
+  EXPECT_THAT(problem("package://a/b.stl"), HasSubstr("the folder that contains its package"));
+  EXPECT_THAT(problem("meshes/b.stl"),
+              HasSubstr("its mesh 'meshes/b.stl' was not found; paths are relative to the folder"));
+}
+
 // The factors of the description multiply the unit of the file, here the millimetre.
 TEST(LinkGeometry, TakesTheUnitOfAColladaMeshFromTheFile) {
   const RobotFile file(
@@ -121,7 +157,7 @@ TEST(LinkGeometry, NamesAMeshThatIsMissing) {
   const Robot robot = file.read();
   const LinkGeometry geometry = geometry_of(robot);
   ASSERT_THAT(geometry.problems(), SizeIs(1));
-  EXPECT_THAT(geometry.problems()[0], HasSubstr("package://pack/t.stl was not found"));
+  EXPECT_THAT(geometry.problems()[0], HasSubstr("'package://pack/t.stl' was not found"));
   EXPECT_FALSE(geometry.is_known());
   EXPECT_EQ(geometry.models().front().source, "its collision geometry");
 }
