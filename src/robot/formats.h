@@ -20,7 +20,7 @@ Eigen::Matrix3d rotation_from_quaternion(const XmlFile& file, const pugi::xml_no
                                          const Eigen::Quaterniond& quaternion);
 
 /// Returns the length in cm, which is how shapes have it. Throws InvalidArgument about the element
-/// unless it is positive and finite.
+/// unless it is positive and neither too large nor too small.
 double length_in_cm(const XmlFile& file, const pugi::xml_node& node, double metres);
 
 // The readers of the formats. Each throws InvalidArgument about a place in the file, and adds a

@@ -84,9 +84,10 @@ Eigen::Matrix3d rotation_from_quaternion(const XmlFile& file, const pugi::xml_no
 }
 
 double length_in_cm(const XmlFile& file, const pugi::xml_node& node, double metres) {
-  const double result = 100.0 * metres;
-  if (std::isfinite(result) && result > 0.0) return result;
-  throw file.bad(node, fmt::format("a length is {} m", metres), "lengths are positive");
+  if (metres >= 1 / largest_number && metres <= largest_number) return 100.0 * metres;
+  throw file.bad(
+      node, fmt::format("a length is {} m", metres),
+      fmt::format("lengths are positive, from {} to {} m", 1 / largest_number, largest_number));
 }
 
 Eigen::Vector3d Inertial::centre_of_mass() const {

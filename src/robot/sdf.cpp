@@ -194,6 +194,8 @@ void SdfReader::add_geometries(const pugi::xml_node& node, Geometry::Use use, Li
       geometry.shape = UnknownShape();
     }
     geometry.link_from_geometry = sdf_pose(file_, pose).value;
+    for (const double number : geometry.link_from_geometry.translation())
+      file_.require_in_range(pose, "its position", number);
     if (const pugi::xml_node density = element.child("density"))
       geometry.density = density_of(density);
     link.geometries.push_back(std::move(geometry));
@@ -235,6 +237,7 @@ double SdfReader::density_of(const pugi::xml_node& node) {
 
 Eigen::Vector3d SdfReader::triple(const pugi::xml_node& node) {
   const std::vector<Written> v = file_.numbers(node, 3);
+  for (const Written& number : v) file_.require_in_range(node, "its text", number.value);
   return {v[0].value, v[1].value, v[2].value};
 }
 

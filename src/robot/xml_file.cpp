@@ -186,14 +186,21 @@ std::optional<Eigen::Vector3d> XmlFile::vector(const pugi::xml_node& node,
   if (!node.attribute(attribute)) return std::nullopt;
   const std::vector<Written> written = numbers(node, attribute, 3);
   const Eigen::Vector3d result(written[0].value, written[1].value, written[2].value);
-  if (!result.allFinite()) throw bad(node, fmt::format("{} is not finite", attribute));
+  for (const double value : result) require_in_range(node, attribute, value);
   return result;
+}
+
+void XmlFile::require_in_range(const pugi::xml_node& node, const char* name, double number) const {
+  if (!std::isfinite(number)) throw bad(node, fmt::format("{} is not finite", name));
+  if (std::abs(number) <= largest_number) return;
+  throw bad(node, fmt::format("{} is {}", name, number),
+            fmt::format("give a number of at most {}", largest_number));
 }
 
 std::optional<double> XmlFile::number(const pugi::xml_node& node, const char* attribute) const {
   if (!node.attribute(attribute)) return std::nullopt;
   const double result = numbers(node, attribute, 1).front().value;
-  if (!std::isfinite(result)) throw bad(node, fmt::format("{} is not finite", attribute));
+  require_in_range(node, attribute, result);
   return result;
 }
 

@@ -15,6 +15,10 @@
 
 namespace twrench::robot {
 
+/// The greatest number of a geometry, in m or another unit of SI. No body is larger, and products
+/// of such numbers do not overflow.
+inline constexpr double largest_number = 1e30;
+
 /// An XML file whose values know their place in its bytes.
 class XmlFile {
  public:
@@ -50,9 +54,12 @@ class XmlFile {
   /// Returns as many numbers as the attribute has, none if the element lacks it.
   std::vector<Written> numbers(const pugi::xml_node& node, const char* attribute) const;
 
-  /// Returns three finite numbers of an attribute; nothing if the element lacks it.
+  /// Throws InvalidArgument about the element if the number is not finite or too large.
+  void require_in_range(const pugi::xml_node& node, const char* name, double number) const;
+
+  /// Returns three numbers in this range of an attribute; nothing if the element lacks it.
   std::optional<Eigen::Vector3d> vector(const pugi::xml_node& node, const char* attribute) const;
-  /// Returns a finite number of an attribute; nothing if the element lacks it.
+  /// Returns a number in this range of an attribute; nothing if the element lacks it.
   std::optional<double> number(const pugi::xml_node& node, const char* attribute) const;
 
   /// Returns an attribute with its name and the white space before it; nothing if the element lacks

@@ -201,6 +201,12 @@ TEST(Sdf, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal_of(model_of("<visual name='v'><geometry><sphere><radius>nan</radius></sphere>"
                                   "</geometry></visual>")),
               HasSubstr("radius: a length is nan m"));
+  EXPECT_THAT(refusal_of(model_of("<visual name='v'><pose>nan 0 0 0 0 0</pose><geometry><sphere>"
+                                  "<radius>1</radius></sphere></geometry></visual>")),
+              HasSubstr("pose: its position is not finite"));
+  EXPECT_THAT(refusal_of(model_of("<visual name='v'><geometry><mesh><uri>a.stl</uri>"
+                                  "<scale>1 1 1e300</scale></mesh></geometry></visual>")),
+              HasSubstr("scale: its text is 1e+300"));
   EXPECT_THAT(refusal_of(model_of("<collision name='v'><density>-1</density><geometry><sphere>"
                                   "<radius>1</radius></sphere></geometry></collision>")),
               HasSubstr("a density is -1 kg/m^3"));

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -134,6 +135,16 @@ TEST(Urdf, RefusesWhatItCannotRead) {
   EXPECT_THAT(
       refusal(robot_of(link_of("<visual><geometry><box size='1 0 1'/></geometry></visual>"))),
       HasSubstr("robot.urdf:4: box: a length is 0 m"));
+  // Sums over such geometries would overflow.
+  for (const char* size : {"1e200", "1e-200", "inf"}) {
+    EXPECT_THAT(refusal(robot_of(link_of(fmt::format(
+                    "<visual><geometry><sphere radius='{}'/></geometry></visual>", size)))),
+                HasSubstr("robot.urdf:4: sphere: "))
+        << size;
+  }
+  EXPECT_THAT(refusal(robot_of(link_of("<visual><origin xyz='0 -1e300 0'/><geometry>"
+                                       "<sphere radius='1'/></geometry></visual>"))),
+              HasSubstr("robot.urdf:4: origin: xyz is -1e+300; give a number of at most 1e+30"));
   EXPECT_THAT(refusal(robot_of(link_of("<visual><geometry><ball/></geometry></visual>"))),
               HasSubstr("it has no known shape, but 'ball'"));
 }
