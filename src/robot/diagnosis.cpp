@@ -4,7 +4,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "robot/compiled.h"
@@ -23,13 +25,24 @@ constexpr double tolerance = 1e-6;
 /// mass in its centre.
 constexpr double much_smaller = 1e-3;
 
+/// Numbers beyond this belong to no body, and would overflow in products.
+constexpr double largest = 1e60;
+
+/// Whether all numbers and their quotients are finite.
 bool is_finite(const LinkMass& body) {
-  return std::isfinite(body.mass) && body.centre.allFinite() && body.inertia.allFinite();
+  const bool is_mass = body.mass == 0.0 || std::abs(body.mass) > 1 / largest;
+  // Comparisons with NaN are false.
+  return is_mass && std::abs(body.mass) < largest &&
+         (body.centre.cwiseAbs().array() < largest).all() &&
+         (body.inertia.cwiseAbs().array() < largest).all();
 }
 
-/// Half a unit of the last digit of the centre, in m.
+/// Half a unit of the last digit of the centre, in m. A coordinate that is written as "0" is exact.
 double resolution_of_centre(const Inertial& inertial) {
-  return std::ranges::max(inertial.centre, {}, &Written::resolution).resolution;
+  double resolution = 0.0;
+  for (const Written& coordinate : inertial.centre)
+    if (coordinate.value != 0.0) resolution = std::max(resolution, coordinate.resolution);
+  return resolution;
 }
 
 std::string list_of(const Vector3d& v) {
@@ -39,7 +52,8 @@ std::string list_of(const Vector3d& v) {
 /// Returns what makes the mass properties impossible for any body.
 std::optional<Finding> impossibility(const LinkMass& body) {
   if (!is_finite(body)) {
-    return Finding{Fault::not_finite, "a number is NaN or infinite"};
+    return Finding{Fault::not_finite,
+                   "a number is NaN, infinite, or too large or small for any body"};
   }
   const Vector3d moments = principal_moments(body.inertia);
   if (!(body.mass > 0.0)) {
@@ -63,22 +77,32 @@ std::optional<Finding> impossibility(const LinkMass& body) {
   return std::nullopt;
 }
 
+/// How far the centre of mass may lie outside the geometry in m, because both are rounded.
+double tolerance_of_centre(const Inertial& inertial, const LinkGeometry& geometry) {
+  const double size = geometry.extent(Vector3d::UnitX()) + geometry.extent(-Vector3d::UnitX());
+  return std::max(1e-3 * size, 2 * resolution_of_centre(inertial));
+}
+
 /// Returns a direction along which the mass would have to lie farther out than the geometry: the
 /// variance of a distribution between a and b with the mean m is at most (b - m)(m - a) (Bhatia and
 /// Davis, Am. Math. Mon. 107 (2000) 353).
-std::optional<Finding> too_large(const LinkMass& body, const LinkGeometry& geometry) {
+std::optional<Finding> too_large(const LinkMass& body, const LinkGeometry& geometry,
+                                 double tolerance_of_centre) {
   const Matrix3d second = second_moments(body.inertia) / body.mass;
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(second);
   for (int i = 2; i >= 0; --i) {
     const Vector3d along = solver.eigenvectors().col(i);
     const double variance = solver.eigenvalues()[i];
     const double mean = body.centre.dot(along);
-    const double most = (geometry.extent(along) - mean) * (mean + geometry.extent(-along));
-    if (variance <= 1.01 * std::max(most, 0.0)) continue;
+    const double ahead = geometry.extent(along) - mean + tolerance_of_centre;
+    const double behind = mean + geometry.extent(-along) + tolerance_of_centre;
+    const double most = ahead * behind;
+    // A centre outside allows no moments at all, and is a fault of its own.
+    if (variance <= 1.01 * most || ahead <= 0.0 || behind <= 0.0) continue;
     return Finding{Fault::too_large,
                    fmt::format("the mass would lie {:.3g} m from the centre of mass (root mean "
                                "square), but the geometry allows {:.3g} m",
-                               std::sqrt(variance), std::sqrt(std::max(most, 0.0)))};
+                               std::sqrt(variance), std::sqrt(most))};
   }
   return std::nullopt;
 }
@@ -96,9 +120,7 @@ std::optional<Finding> too_small(const LinkMass& body, const LinkGeometry& geome
 std::optional<Finding> centre_outside(const Inertial& inertial, const LinkGeometry& geometry) {
   const Vector3d centre = inertial.centre_of_mass();
   const double distance = geometry.distance_outside(centre);
-  const double size = geometry.extent(Vector3d::UnitX()) + geometry.extent(-Vector3d::UnitX());
-  const double allowed = std::max(1e-3 * size, 2 * resolution_of_centre(inertial));
-  if (distance <= allowed) return std::nullopt;
+  if (distance <= tolerance_of_centre(inertial, geometry)) return std::nullopt;
   return Finding{
       Fault::centre_outside,
       fmt::format("the centre of mass is {:.3g} m outside the convex hull of the geometry",
@@ -134,47 +156,58 @@ void add_doubts(const Inertial& inertial, const LinkGeometry& geometry, Diagnosi
   if (geometry.is_known()) add(centre_outside(inertial, geometry));
   if (diagnosis.agreement) return;
   add(identity(diagnosis.body, geometry));
-  if (geometry.is_known()) add(too_large(diagnosis.body, geometry));
+  if (geometry.is_known())
+    add(too_large(diagnosis.body, geometry, tolerance_of_centre(inertial, geometry)));
   if (diagnosis.faults.empty()) add(too_small(diagnosis.body, geometry));
 }
 
-bool has_same_numbers(const Inertial& a, const Inertial& b) {
-  return a.mass.value == b.mass.value &&
-         std::ranges::equal(a.entries, b.entries, {}, &Written::value, &Written::value);
+using Numbers = std::array<double, 7>;
+
+/// The mass and the entries of the matrix.
+Numbers numbers_of(const Inertial& inertial) {
+  Numbers numbers{inertial.mass.value};
+  std::ranges::transform(inertial.entries, numbers.begin() + 1, &Written::value);
+  return numbers;
 }
 
-/// Finds a link whose geometry has the numbers of this one.
-std::optional<Finding> copied(const Robot& robot, std::size_t index,
-                              const std::vector<LinkGeometry>& geometries) {
-  const Inertial& own = *robot.links[index].inertial;
-  const double digits = relative_resolution(own);
+/// Whether a mistake may explain the numbers of a link, and none is known.
+bool is_unexplained(const Link& link, const Diagnosis& diagnosis) {
+  return link.inertial && !link.is_from_geometry && is_finite(diagnosis.body) &&
+         !diagnosis.agreement && diagnosis.mistakes.empty();
+}
+
+/// Names the links that have the numbers of another link, whose geometry explains them.
+void add_copies(JudgedRobot& judged) {
+  std::map<Numbers, std::size_t> originals;
+  for (std::size_t i = 0; i < judged.diagnoses.size(); ++i) {
+    const Link& link = judged.robot.links[i];
+    const bool is_explained = link.inertial && !link.is_from_geometry;
+    if (is_explained && judged.diagnoses[i].agreement)
+      originals.emplace(numbers_of(*link.inertial), i);
+  }
   // The left and the right link of a robot may differ a little.
   constexpr double alike = 0.05;
-  const bool is_alike = std::ranges::any_of(
-      geometries[index].models(),
-      [&](const MassModel& model) { return misfit_of(stated_mass(own), model) < alike; });
-  if (is_alike || geometries[index].models().empty()) return std::nullopt;
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const Link& other = robot.links[i];
-    if (i == index || !other.inertial || !has_same_numbers(own, *other.inertial)) continue;
-    const LinkMass body = stated_mass(*other.inertial);
-    for (const MassModel& model : geometries[i].models()) {
-      const double misfit = misfit_of(body, model);
-      if (misfit > digits) continue;
-      return Finding{Fault::copied,
-                     fmt::format("they are the numbers of link '{}'", other.name),
-                     {},
-                     misfit,
-                     fmt::format("{} ('{}')", model.source, other.name)};
-    }
+  for (std::size_t i = 0; i < judged.diagnoses.size(); ++i) {
+    const Link& link = judged.robot.links[i];
+    Diagnosis& diagnosis = judged.diagnoses[i];
+    const std::vector<MassModel>& models = judged.geometries[i].models();
+    if (!is_unexplained(link, diagnosis) || models.empty()) continue;
+    const auto original = originals.find(numbers_of(*link.inertial));
+    const bool is_alike = std::ranges::any_of(
+        models, [&](const MassModel& model) { return misfit_of(diagnosis.body, model) < alike; });
+    if (original == originals.end() || is_alike) continue;
+    const std::string& name = judged.robot.links[original->second].name;
+    const Agreement& agreement = *judged.diagnoses[original->second].agreement;
+    diagnosis.mistakes.push_back({Fault::copied,
+                                  fmt::format("they are the numbers of link '{}'", name),
+                                  {},
+                                  agreement.misfit,
+                                  fmt::format("{} ('{}')", agreement.model, name)});
+    diagnosis.verdict = std::max(diagnosis.verdict, Verdict::doubtful);
   }
-  return std::nullopt;
 }
 
-Diagnosis judge(const Robot& robot, std::size_t index,
-                const std::vector<LinkGeometry>& geometries) {
-  const Link& link = robot.links[index];
-  const LinkGeometry& geometry = geometries[index];
+Diagnosis judge(const Link& link, const LinkGeometry& geometry) {
   Diagnosis diagnosis;
   if (!link.inertial) return diagnosis;
   diagnosis.body = stated_mass(*link.inertial);
@@ -189,10 +222,6 @@ Diagnosis judge(const Robot& robot, std::size_t index,
     add_doubts(*link.inertial, geometry, diagnosis);
   }
   diagnosis.mistakes = mistakes(*link.inertial, geometry.models(), diagnosis);
-  if (!diagnosis.agreement && diagnosis.mistakes.empty()) {
-    if (auto finding = copied(robot, index, geometries))
-      diagnosis.mistakes.push_back(std::move(*finding));
-  }
   const bool is_doubtful = !diagnosis.faults.empty() || !diagnosis.mistakes.empty();
   if (diagnosis.verdict == Verdict::good && is_doubtful) diagnosis.verdict = Verdict::doubtful;
   return diagnosis;
@@ -240,8 +269,9 @@ JudgedRobot judge_robot(Robot robot, const std::vector<std::filesystem::path>& p
   for (std::size_t i = 0; i < judged.robot.links.size(); ++i) {
     judged.diagnoses.push_back(judged.robot.links[i].is_from_geometry
                                    ? diagnosis_of_geometry(bodies[i])
-                                   : judge(judged.robot, i, judged.geometries));
+                                   : judge(judged.robot.links[i], judged.geometries[i]));
   }
+  add_copies(judged);
   judged.files = meshes.files();
   judged.files.insert(judged.files.end(), judged.robot.others.begin(), judged.robot.others.end());
   return judged;

@@ -106,8 +106,8 @@ std::optional<LinkMass> of_geometry(const LinkMass& stated, const LinkGeometry& 
   if (geometry.models().empty()) return std::nullopt;
   const MassModel& model = geometry.models().front();
   const double mass = stated.mass > 0.0 ? stated.mass : model.mass.value_or(0.0);
-  if (!(mass > 0.0) || !std::isfinite(mass)) return std::nullopt;
-  return LinkMass{mass, model.body.centre, mass * model.body.inertia};
+  const LinkMass body{mass, model.body.centre, mass * model.body.inertia};
+  return is_possible(body) ? std::optional(body) : std::nullopt;
 }
 
 Plan plan_for(const Diagnosis& diagnosis, const LinkGeometry& geometry, bool from_geometry) {
@@ -129,7 +129,7 @@ Plan plan_for(const Diagnosis& diagnosis, const LinkGeometry& geometry, bool fro
     return {{}, fault + "; " + argument("from-mesh") + " takes the geometry's moments"};
   }
   const LinkMass& stated = diagnosis.body;
-  const bool is_number = std::isfinite(stated.mass) && stated.inertia.allFinite();
+  const bool is_number = diagnosis.faults.front().fault != Fault::not_finite;
   if (is_number && stated.mass > 0.0 && second_moments(stated.inertia).trace() > 0.0) {
     return {nearest_possible(stated), fault + "; replaced by the nearest possible moments"};
   }

@@ -254,6 +254,51 @@ TEST(Diagnosis, NamesTheLinkFromWhichNumbersWereCopied) {
             Verdict::good);
 }
 
+TEST(Diagnosis, FindsCopiesAmongManyLinks) {
+  // Comparing each link with each other takes minutes.
+  const std::string inertia = diagonal(13, 10, 5);
+  std::string robot;
+  for (int i = 0; i < 30000; ++i)
+    robot += link_of(fmt::format("copy{}", i), 12, inertia, "<box size='2 1 4'/>");
+  robot += link_of("own", 12, inertia, "<box size='1 2 3'/>");
+  EXPECT_THAT(diagnosis_of(robot).mistakes, SizeIs(1));
+}
+
+TEST(Diagnosis, JudgesTheOtherLinksBesideOneOfHugeNumbers) {
+  const std::string box = "<box size='1 2 3'/>";
+  const auto huge = [](const char* x) {
+    return fmt::format(
+        "ixx='{0}' ixy='{0}' ixz='0' iyy='{0}' "
+        "iyz='0' izz='{0}'",
+        x);
+  };
+  const Diagnosis diagnosis = diagnosis_of(link_of("a", 1, huge("1e308"), box));
+  EXPECT_EQ(diagnosis.verdict, Verdict::impossible);
+  EXPECT_EQ(diagnosis.faults.front().fault, Fault::not_finite);
+  for (const double mass : {1e308, -1e308, 1e-320, 1e-160}) {
+    const Diagnosis extreme = diagnosis_of(link_of("a", mass, diagonal(13, 10, 5), box));
+    EXPECT_EQ(extreme.faults.front().fault, Fault::not_finite) << mass;
+  }
+}
+
+TEST(Diagnosis, AllowsForTheRoundingOfTheCentre) {
+  const auto faults = [](const char* centre, double moment) {
+    return diagnosis_of(
+               fmt::format("<link name='a'><inertial><origin xyz='{} 0 0'/><mass value='1'/>"
+                           "<inertia {}/></inertial><visual><geometry><box size='1 1 1'/>"
+                           "</geometry></visual></link>",
+                           centre, diagonal(0.1 * moment, moment, moment)))
+        .faults;
+  };
+  // On the face, within the last digit, the mass may be a little inside.
+  EXPECT_THAT(faults("0.50", 0.001), SizeIs(0));
+  EXPECT_THAT(faults("0.50", 0.1), SizeIs(1));
+  // A centre outside allows no moments, and that is said once.
+  const auto outside = faults("0.70", 0.001);
+  ASSERT_THAT(outside, SizeIs(1));
+  EXPECT_EQ(outside.front().fault, Fault::centre_outside);
+}
+
 TEST(Diagnosis, SaysWhetherABodyIsHollow) {
   // A thin spherical shell has 2/3 m r^2, a ball 2/5 m r^2.
   const std::string ball = "<sphere radius='0.5'/>";
