@@ -103,22 +103,33 @@ Json link_json(const Link& link, const Diagnosis& diagnosis) {
   return json;
 }
 
-std::string row(const std::array<std::string, 5>& cells) {
-  return fmt::format("{:<24} {:>10}  {:<30} {:<34} {}\n", cells[0], cells[1], cells[2], cells[3],
-                     cells[4]);
+using Row = std::array<std::string, 5>;
+
+/// Returns the rows with columns as wide as their widest cell; the second one is to the right.
+std::string table_of(const std::vector<Row>& rows) {
+  std::array<std::size_t, 4> widths{24, 10, 30, 34};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += fmt::format("{:<{}} {:>{}}  {:<{}} {:<{}} {}\n", row[0], widths[0], row[1], widths[1],
+                        row[2], widths[2], row[3], widths[3], row[4]);
+  }
+  return text;
 }
 
-std::string link_row(const Link& link, const Diagnosis& diagnosis) {
+Row link_row(const Link& link, const Diagnosis& diagnosis) {
   const std::string name = text::escape(link.name);
   const std::string verdict(enumerator_name(diagnosis.verdict));
-  if (diagnosis.verdict == Verdict::unstated) return row({name, "-", "-", "-", verdict});
+  if (diagnosis.verdict == Verdict::unstated) return {name, "-", "-", "-", verdict};
   const int digits = link.inertial ? significant_digits(*link.inertial) : 6;
   const std::string remark = diagnosis.agreement
                                  ? fmt::format("{}: {} {}", verdict, diagnosis.agreement->model,
                                                within(diagnosis.agreement->misfit))
                                  : verdict;
-  return row({name, fmt::format("{:.6g}", diagnosis.body.mass), list_of(diagnosis.body.centre, 6),
-              list_of(diagnosis.moments, digits), remark});
+  return {name, fmt::format("{:.6g}", diagnosis.body.mass), list_of(diagnosis.body.centre, 6),
+          list_of(diagnosis.moments, digits), remark};
 }
 
 }  // namespace
@@ -153,9 +164,11 @@ std::string robot_text(const JudgedRobot& judged) {
       title_of(robot.format), text::escape(robot.name), robot.links.size(),
       count(judged, Verdict::impossible), count(judged, Verdict::doubtful),
       count(judged, Verdict::good), count(judged, Verdict::unstated));
-  text += row({"link", "mass, kg", "centre of mass, m", "principal moments, kg m^2", "verdict"});
+  std::vector<Row> rows{
+      {"link", "mass, kg", "centre of mass, m", "principal moments, kg m^2", "verdict"}};
   const std::vector<std::size_t> order = worst_first(judged);
-  for (const std::size_t i : order) text += link_row(robot.links[i], judged.diagnoses[i]);
+  for (const std::size_t i : order) rows.push_back(link_row(robot.links[i], judged.diagnoses[i]));
+  text += table_of(rows);
   for (const std::size_t i : order) {
     const std::vector<std::string> lines = reasons(judged.diagnoses[i]);
     if (lines.empty()) continue;

@@ -1,4 +1,5 @@
 // `twrench` on the links of robot descriptions.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,9 +53,24 @@ TEST_F(RobotFile, IsJudgedLinkByLinkTheWorstFirst) {
   EXPECT_LT(text.out.find("\nrod "), text.out.find("\nbox "));
   EXPECT_THAT(text.out, HasSubstr("  the products of inertia have the other sign: without this the "
                                   "moments are those of its visual geometry to"));
-  EXPECT_THAT(text.err, HasSubstr("arm.urdf:6: link 'lost': its mesh package://a/b.stl was not "
+  EXPECT_THAT(text.err, HasSubstr("arm.urdf:6: link 'lost': its mesh 'package://a/b.stl' was not "
                                   "found; name the folder that contains its package: "
                                   "--package-path DIR"));
+}
+
+TEST_F(RobotFile, HasATableWhoseColumnsFit) {
+  const std::string rest =
+      "\"><inertial><mass value=\"1\"/><inertia ixx=\"0.0102068936147596\" ixy=\"0\" ixz=\"0\" "
+      "iyy=\"1\" iyz=\"0\" izz=\"0.0704821466878227\"/></inertial></link>";
+  write("long.urdf", "<robot name=\"r\"><link name=\"a" + rest + "<link name=\"" +
+                         std::string(40, 'b') + rest + "</robot>");
+  const std::string text = run("inertia long.urdf").out;
+  const auto column = [&](const std::string& row) {
+    const std::size_t begin = text.find("\n" + row + " ");
+    return text.find(row == "link" ? "verdict" : "impossible", begin) - begin;
+  };
+  EXPECT_EQ(column("a"), column("link"));
+  EXPECT_EQ(column(std::string(40, 'b')), column("link"));
 }
 
 TEST_F(RobotFile, IsJudgedForPrograms) {
@@ -124,6 +140,34 @@ TEST_F(RobotFile, HasAPageWithPicturesOfBadLinks) {
   EXPECT_EQ(pictures, 4U);
   EXPECT_EQ(run("inertia arm.urdf --report arm.html").code, 1);
   EXPECT_EQ(run("inertia arm.urdf --report arm.txt").code, 2);
+}
+
+TEST_F(RobotFile, MixesNoOutputsInStandardOutput) {
+  const Outcome mixed = run("inertia arm.urdf --fix -");
+  EXPECT_EQ(mixed.code, 2);
+  EXPECT_THAT(mixed.err, HasSubstr("--fix -: standard output is used for the results"));
+  const Outcome fixed = run("inertia arm.urdf --fix - -o report.txt");
+  EXPECT_EQ(fixed.code, 1) << fixed.err;
+  EXPECT_THAT(fixed.out, StartsWith("<robot name=\"arm\">"));
+}
+
+TEST_F(RobotFile, HasAReportOfNumbersThatCannotBeDrawn) {
+  for (const char* number : {"1e308", "1e40", "1e-80"}) {
+    const std::string moments = fmt::format(
+        "ixx='{0}' ixy='0' ixz='0' iyy='{0}' iyz='0' "
+        "izz='{0}'",
+        number);
+    write("extreme.urdf",
+          fmt::format("<robot name='r'><link name='l'><inertial><mass value='{}'/>"
+                      "<inertia {}/></inertial><visual><geometry><box size='1 2 3'/>"
+                      "</geometry></visual></link></robot>",
+                      number, moments));
+    for (const char* from : {"", " --from-mesh"}) {
+      const Outcome page = run(fmt::format("inertia extreme.urdf --report r.html{}", from));
+      EXPECT_THAT(page.code, testing::AnyOf(0, 1)) << number << page.err;
+      EXPECT_THAT(text_of(folder_ / "r.html"), HasSubstr("<h2>l ")) << number;
+    }
+  }
 }
 
 TEST_F(RobotFile, RefusesOptionsThatHaveNoMeaning) {

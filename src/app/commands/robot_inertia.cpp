@@ -14,6 +14,7 @@
 #include "base/words.h"
 #include "film/page_pictures.h"
 #include "robot/report.h"
+#include "scene/limits.h"
 #include "scene/link_scene.h"
 #include "scene/mesh_scene.h"
 #include "system/output.h"
@@ -37,11 +38,14 @@ scene::Scene picture_of(const robot::JudgedRobot& judged, std::size_t link,
   return scene;
 }
 
-/// Whether a link with this inertia can be drawn: beside an ellipsoid that is much larger than the
-/// link, it would be a dot.
+/// Whether a link with this inertia can be drawn: a scene can have its moments, and beside an
+/// ellipsoid that is much larger than the link, it would be a dot.
 bool is_drawable(const robot::JudgedRobot& judged, std::size_t link, const robot::LinkMass& mass) {
   const Eigen::Vector3d moments = robot::principal_moments(mass.inertia);
-  if (!(mass.mass > 0.0) || !mass.inertia.allFinite() || !(moments[0] > 0.0)) return false;
+  constexpr double g_cm2 = 1e-7;  // kg m^2
+  const bool is_body = mass.mass > 0.0 && moments[0] >= g_cm2 * scene::limits::moment.low &&
+                       moments[2] <= g_cm2 * scene::limits::moment.high;
+  if (!is_body) return false;
   const robot::LinkGeometry& geometry = judged.geometries[link];
   double size = 0.0;
   for (int i = 0; i < 3; ++i) {
@@ -108,6 +112,10 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
       repair_options.page.empty()) {
     throw InvalidArgument("--from-mesh", "it chooses the kind of repair, and nothing is repaired",
                           "add --fix FILE or --report FILE");
+  }
+  if (repair_options.fixed_file == "-" && output.path() == "-") {
+    throw InvalidArgument("--fix -", "standard output is used for the results",
+                          "name a file, or give --output FILE");
   }
   const robot::JudgedRobot judged = robot_options.read(file);
   system::FileList files = output.files();
