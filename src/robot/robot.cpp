@@ -13,10 +13,29 @@
 namespace twrench::robot {
 namespace {
 
+/// Looks for macros in elements and attributes. The comments of an expanded file still have those
+/// of its source.
+class FindXacro : public pugi::xml_tree_walker {
+ public:
+  bool is_found() const { return is_found_; }
+
+  bool for_each(pugi::xml_node& node) override {
+    is_found_ = std::string_view(node.name()).starts_with("xacro:") ||
+                std::ranges::any_of(node.attributes(), [](const pugi::xml_attribute& attribute) {
+                  return std::string_view(attribute.value()).starts_with("${");
+                });
+    return !is_found_;
+  }
+
+ private:
+  bool is_found_ = false;
+};
+
 bool uses_xacro(const XmlFile& file) {
-  const std::string& text = file.text();
-  return file.path().extension() == ".xacro" || text.find("<xacro:") != std::string::npos ||
-         text.find("\"${") != std::string::npos;
+  FindXacro walker;
+  pugi::xml_node root = file.root();
+  root.traverse(walker);
+  return file.path().extension() == ".xacro" || walker.is_found();
 }
 
 void read_format(const XmlFile& file, Robot& robot) {

@@ -125,6 +125,10 @@ TEST(Urdf, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal(nested + "</robot>"),
               HasSubstr("robot.urdf:1: a: elements are nested more than 200 deep"));
   EXPECT_THAT(refusal(robot_of("<xacro:property name='x'/>")), HasSubstr("run xacro first"));
+  EXPECT_THAT(refusal(robot_of(link_of("<inertial><mass value='${m}'/></inertial>"))),
+              HasSubstr("run xacro first"));
+  // xacro keeps the comments of its source.
+  EXPECT_EQ(refusal(robot_of("<!-- <xacro:x/> <a b=\"${c}\"/> -->" + link_of(""))), "nothing");
   EXPECT_THAT(refusal(robot_of(link_of("<inertial><mass value='0,5'/><inertia/></inertial>"))),
               HasSubstr("value is '0,5', which is not a number; write 0.5"));
   EXPECT_THAT(
