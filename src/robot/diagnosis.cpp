@@ -210,7 +210,10 @@ void add_copies(JudgedRobot& judged) {
 Diagnosis judge(const Link& link, const LinkGeometry& geometry) {
   Diagnosis diagnosis;
   if (!link.inertial) return diagnosis;
-  diagnosis.body = stated_mass(*link.inertial);
+  const LinkMass body = stated_mass(*link.inertial);
+  // A frame, such as that of a tool: nothing is added to the mass of its parent.
+  if (link.is_fixed && body.mass == 0.0 && body.inertia.isZero(0.0)) return diagnosis;
+  diagnosis.body = body;
   diagnosis.verdict = Verdict::good;
   if (is_finite(diagnosis.body)) diagnosis.moments = principal_moments(diagnosis.body.inertia);
   if (auto finding = impossibility(diagnosis.body)) {

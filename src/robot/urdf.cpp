@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "robot/formats.h"
 
@@ -61,12 +62,27 @@ decltype(Geometry::shape) shape_of(const XmlFile& file, const pugi::xml_node& ge
                  "URDF has box, cylinder, sphere, capsule and mesh");
 }
 
-void add_geometries(const XmlFile& file, const pugi::xml_node& node, Geometry::Use use,
-                    Link& link) {
+/// Whether a size of a shape is 0, with which some files hide it.
+bool has_no_size(const XmlFile& file, const pugi::xml_node& geometry) {
+  const pugi::xml_node shape = geometry.first_child();
+  for (const char* attribute : {"size", "radius", "length"}) {
+    const std::vector<Written> numbers = file.numbers(shape, attribute);
+    if (std::ranges::find(numbers, 0.0, &Written::value) != numbers.end()) return true;
+  }
+  return false;
+}
+
+void add_geometries(const XmlFile& file, const pugi::xml_node& node, Geometry::Use use, Link& link,
+                    Robot& robot) {
   const char* name = use == Geometry::Use::visual ? "visual" : "collision";
   for (const pugi::xml_node& element : node.children(name)) {
     const pugi::xml_node geometry = element.child("geometry");
     if (!geometry) throw file.bad(element, "it has no <geometry>", "add it");
+    if (has_no_size(file, geometry)) {
+      robot.notes.push_back(
+          fmt::format("{} is ignored, because its size is 0", file.place(geometry.first_child())));
+      continue;
+    }
     link.geometries.push_back({.use = use,
                                .shape = shape_of(file, geometry),
                                .link_from_geometry = pose_of(file, element.child("origin")),
@@ -74,12 +90,11 @@ void add_geometries(const XmlFile& file, const pugi::xml_node& node, Geometry::U
   }
 }
 
-/// Returns the parent of each link that is the child of a joint.
-std::map<std::string, std::string> parents(const XmlFile& file) {
-  std::map<std::string, std::string> result;
+/// Returns the joint of each link that is the child of one.
+std::map<std::string, pugi::xml_node> joints(const XmlFile& file) {
+  std::map<std::string, pugi::xml_node> result;
   for (const pugi::xml_node& joint : file.root().children("joint"))
-    result[joint.child("child").attribute("link").value()] =
-        joint.child("parent").attribute("link").value();
+    result[joint.child("child").attribute("link").value()] = joint;
   return result;
 }
 
@@ -88,15 +103,17 @@ std::map<std::string, std::string> parents(const XmlFile& file) {
 void read_urdf(const XmlFile& file, Robot& robot) {
   const pugi::xml_node root = file.root();
   robot.name = root.attribute("name").value();
-  const std::map<std::string, std::string> parent_of = parents(file);
+  const std::map<std::string, pugi::xml_node> joint_of = joints(file);
   for (const pugi::xml_node& node : root.children("link")) {
     Link link{.name = std::string(file.required(node, "name")), .line = file.line(node)};
     if (const pugi::xml_node inertial = node.child("inertial"))
       link.inertial = inertial_of(file, inertial);
-    add_geometries(file, node, Geometry::Use::visual, link);
-    add_geometries(file, node, Geometry::Use::collision, link);
-    if (const auto parent = parent_of.find(link.name); parent != parent_of.end())
-      link.parent = parent->second;
+    add_geometries(file, node, Geometry::Use::visual, link, robot);
+    add_geometries(file, node, Geometry::Use::collision, link, robot);
+    if (const auto joint = joint_of.find(link.name); joint != joint_of.end()) {
+      link.parent = joint->second.child("parent").attribute("link").value();
+      link.is_fixed = std::string_view(joint->second.attribute("type").value()) == "fixed";
+    }
     robot.links.push_back(std::move(link));
   }
 }

@@ -316,6 +316,17 @@ TEST(Diagnosis, AcceptsLinksWithoutGeometry) {
   EXPECT_EQ(diagnosis_of("<link name='a'/>").verdict, Verdict::unstated);
 }
 
+TEST(Diagnosis, AcceptsFixedFramesWithoutMass) {
+  const auto verdict = [](const char* joint) {
+    return diagnosis_of("<link name='tool'><inertial><mass value='0'/><inertia " +
+                        diagonal(0, 0, 0) + "/></inertial></link><link name='arm'/><joint type='" +
+                        joint + "'><parent link='arm'/><child link='tool'/></joint>")
+        .verdict;
+  };
+  EXPECT_EQ(verdict("fixed"), Verdict::unstated);
+  EXPECT_EQ(verdict("revolute"), Verdict::impossible);
+}
+
 TEST(Diagnosis, GivesTheEvidence) {
   const Diagnosis flat = diagnosis_of(link_of("a", 1, diagonal(1, 1, 3), "<box size='1 1 1'/>"));
   EXPECT_EQ(flat.verdict, Verdict::impossible);

@@ -108,6 +108,17 @@ TEST(Urdf, KnowsTheParents) {
   EXPECT_EQ(robot.link("b").parent, "a");
 }
 
+TEST(Urdf, IgnoresGeometriesWithoutSize) {
+  const RobotFile file(robot_of(
+      link_of("<visual><geometry><box size='0 0.0 0'/></geometry></visual>"
+              "<collision><geometry><sphere radius='0.0'/></geometry></collision>"
+              "<collision><geometry><cylinder radius='1' length='1'/></geometry></collision>")));
+  const Robot robot = file.read();
+  EXPECT_EQ(robot.links.front().geometries.size(), 1U);
+  ASSERT_EQ(robot.notes.size(), 2U);
+  EXPECT_THAT(robot.notes[0], HasSubstr("robot.urdf:4: box is ignored, because its size is 0"));
+}
+
 TEST(Urdf, RefusesWhatItCannotRead) {
   const auto refusal = [](const std::string& text) { return RobotFile(text).refusal(); };
   EXPECT_THAT(refusal(robot_of("<link name='a'/>\n<link name='a'/>")),
@@ -137,8 +148,8 @@ TEST(Urdf, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal(robot_of(link_of("<inertial><inertia/></inertial>"))),
               HasSubstr("it has no <mass>"));
   EXPECT_THAT(
-      refusal(robot_of(link_of("<visual><geometry><box size='1 0 1'/></geometry></visual>"))),
-      HasSubstr("robot.urdf:4: box: a length is 0 m"));
+      refusal(robot_of(link_of("<visual><geometry><box size='1 -1 1'/></geometry></visual>"))),
+      HasSubstr("robot.urdf:4: box: a length is -1 m"));
   // Sums over such geometries would overflow.
   for (const char* size : {"1e200", "1e-200", "inf"}) {
     EXPECT_THAT(refusal(robot_of(link_of(fmt::format(
