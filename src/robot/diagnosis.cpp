@@ -97,7 +97,7 @@ std::optional<Finding> too_large(const LinkMass& body, const LinkGeometry& geome
     const double ahead = geometry.extent(along) - mean + tolerance_of_centre;
     const double behind = mean + geometry.extent(-along) + tolerance_of_centre;
     const double most = ahead * behind;
-    // A centre outside allows no moments at all, and is a fault of its own.
+    // A centre outside allows no moments. It is reported separately.
     if (variance <= 1.01 * most || ahead <= 0.0 || behind <= 0.0) continue;
     return Finding{Fault::too_large,
                    fmt::format("the mass would lie {:.3g} m from the centre of mass (root mean "

@@ -62,7 +62,7 @@ decltype(Geometry::shape) shape_of(const XmlFile& file, const pugi::xml_node& ge
                  "URDF has box, cylinder, sphere, capsule and mesh");
 }
 
-/// Whether a size of a shape is 0, with which some files hide it.
+/// Whether a shape has a size of 0. Some files hide shapes in this way.
 bool has_no_size(const XmlFile& file, const pugi::xml_node& geometry) {
   const pugi::xml_node shape = geometry.first_child();
   for (const char* attribute : {"size", "radius", "length"}) {

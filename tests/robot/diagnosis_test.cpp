@@ -293,7 +293,7 @@ TEST(Diagnosis, AllowsForTheRoundingOfTheCentre) {
   // On the face, within the last digit, the mass may be a little inside.
   EXPECT_THAT(faults("0.50", 0.001), SizeIs(0));
   EXPECT_THAT(faults("0.50", 0.1), SizeIs(1));
-  // A centre outside allows no moments, and that is said once.
+  // A centre outside allows no moments. Only the centre is reported.
   const auto outside = faults("0.70", 0.001);
   ASSERT_THAT(outside, SizeIs(1));
   EXPECT_EQ(outside.front().fault, Fault::centre_outside);
