@@ -77,10 +77,11 @@ std::optional<Finding> impossibility(const LinkMass& body) {
   return std::nullopt;
 }
 
-/// How far the centre of mass may lie outside the geometry in m, because both are rounded.
+/// How far the centre of mass may lie outside the geometry in m, because both are rounded. Few
+/// digits need not mean a rough number: 0.1 is often exact.
 double tolerance_of_centre(const Inertial& inertial, const LinkGeometry& geometry) {
   const double size = geometry.extent(Vector3d::UnitX()) + geometry.extent(-Vector3d::UnitX());
-  return std::max(1e-3 * size, 2 * resolution_of_centre(inertial));
+  return std::clamp(2 * resolution_of_centre(inertial), 1e-3 * size, 0.02 * size);
 }
 
 /// Returns a direction along which the mass would have to lie farther out than the geometry: the

@@ -293,6 +293,14 @@ TEST(Diagnosis, AllowsForTheRoundingOfTheCentre) {
   // On the face, within the last digit, the mass may be a little inside.
   EXPECT_THAT(faults("0.50", 0.001), SizeIs(0));
   EXPECT_THAT(faults("0.50", 0.1), SizeIs(1));
+  // Few digits do not hide moments that are ten times too large.
+  EXPECT_THAT(diagnosis_of("<link name='a'><inertial><origin xyz='0 0 0.1'/><mass value='0.3'/>"
+                           "<inertia " +
+                           diagonal(0.001015625, 0.001015625, 0.002) +
+                           "/></inertial><visual><origin xyz='0 0 0.1'/><geometry>"
+                           "<box size='0.025 0.025 0.2'/></geometry></visual></link>")
+                  .faults,
+              SizeIs(1));
   // A centre outside allows no moments. Only the centre is reported.
   const auto outside = faults("0.70", 0.001);
   ASSERT_THAT(outside, SizeIs(1));
