@@ -26,12 +26,12 @@ constexpr std::string_view scene_first = "{\n \"scene\": ";
 constexpr std::array motion_formats{
     OutputFormat{"csv", {".csv"}, "t,x11,x12,x13,x21,x22,x23,", ",wx,wy,wz,energy"},
     OutputFormat{"json", {".json"}, scene_first, "\n \"samples\": ["},
-    OutputFormat{"npz", {".npz"}, "PK\x03\x04", "orthogonality_error.npy"}};
+    OutputFormat{"npz", {".npz"}, "PK\x03\x04", "orthogonality_error.npy", true}};
 
 constexpr std::array saved_motion_formats{motion_formats[0], motion_formats[2]};
 
 constexpr std::array exported_motion_formats{
-    OutputFormat{"glb", {".glb"}, "glTF", "\"generator\":\"twrench "},
+    OutputFormat{"glb", {".glb"}, "glTF", "\"generator\":\"twrench ", true},
     OutputFormat{"aem", {".aem"}, "CCSDS_AEM_VERS = ", "COMMENT Written by twrench "},
     motion_formats[0], motion_formats[1], motion_formats[2]};
 
@@ -79,8 +79,8 @@ constexpr std::array schema_formats{
 
 constexpr std::array plot_formats{
     OutputFormat{"svg", {".svg"}, "<?xml", "<!-- twrench -->"},
-    OutputFormat{"pdf", {".pdf"}, "%PDF", "%twrench\n"},
-    OutputFormat{"png", {".png"}, "\x89PNG", "tEXtSoftware\0twrench"sv}};
+    OutputFormat{"pdf", {".pdf"}, "%PDF", "%twrench\n", true},
+    OutputFormat{"png", {".png"}, "\x89PNG", "tEXtSoftware\0twrench"sv, true}};
 
 constexpr std::array picture_formats{plot_formats[2]};
 

@@ -26,6 +26,8 @@ struct OutputFormat {
   std::string_view begins;
   /// A text near the beginning or the end of such a file, which other files lack.
   std::string_view mark;
+  /// Whether a terminal cannot show it.
+  bool is_binary = false;
 };
 
 /// A kind of output. The table of its formats serves the choice of the format, the protection of

@@ -200,6 +200,17 @@ std::string seen_on_terminal(const ScratchFolder& folder, const std::string& env
       .out;
 }
 
+TEST(Words, ATerminalGetsNoBytesThatAreNoText) {
+  const ScratchFolder folder;
+  if (run_shell(folder, "script -qec true /dev/null").code != 0) GTEST_SKIP() << "no script";
+  for (const std::string command : {"simulate --format npz", "export --format glb -o -"}) {
+    const std::string shown =
+        run_shell(folder, "script -qec '\"$TWRENCH\" " + command + "' /dev/null").out;
+    EXPECT_THAT(shown, HasSubstr("standard output is a terminal"));
+    EXPECT_THAT(shown, HasSubstr("redirect it to a file or a program"));
+  }
+}
+
 TEST(Words, ATerminalGetsABarThatFits) {
   const ScratchFolder folder;
   if (run_shell(folder, "script -qec true /dev/null").code != 0) GTEST_SKIP() << "no script";

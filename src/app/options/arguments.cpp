@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <twrench/base/error.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -153,6 +154,12 @@ void add_overwrite_option(CLI::App& command, bool& overwrite) {
       ->group(heading(OptionGroup::output));
 }
 
+void require_no_terminal(const std::string& example) {
+  if (::isatty(STDOUT_FILENO) == 0) return;
+  throw InvalidArgument("--output -", "standard output is a terminal",
+                        "redirect it to a file or a program" + example);
+}
+
 OutputOptions::OutputOptions(CLI::App& command, const system::OutputKind& kind, Otherwise otherwise)
     : kind_(kind) {
   using Choice = system::OutputKind::Choice;
@@ -173,6 +180,13 @@ OutputOptions::OutputOptions(CLI::App& command, const system::OutputKind& kind, 
                       (kind.choice == Choice::by_default ? ", else " + names.front() : ""));
   }
   add_overwrite_option(command, overwrite_);
+}
+
+system::OutputFile OutputOptions::add_to(system::FileList& files,
+                                         const system::OutputKind& kind) const {
+  const system::OutputFile file = files.add_output(kind, path_, format_);
+  if (path_ == "-" && file.format().is_binary) require_no_terminal();
+  return file;
 }
 
 }  // namespace twrench::app

@@ -67,6 +67,10 @@ bool is_progress_json(const CLI::App& command);
 /// Adds the option --overwrite for files that are not twrench's.
 void add_overwrite_option(CLI::App& command, bool& overwrite);
 
+/// Throws InvalidArgument if standard output, for bytes that are no text, is a terminal. `example`
+/// may end the remedy.
+void require_no_terminal(const std::string& example = {});
+
 /// The options of what a command writes: -o, --overwrite and, if it has several formats, --format.
 /// Must live as long as the command.
 class OutputOptions {
@@ -80,13 +84,12 @@ class OutputOptions {
   /// Returns an empty list. The command adds every file that it reads or writes.
   system::FileList files() const { return system::FileList(overwrite_); }
 
-  /// Adds the output to the list. Throws as FileList::add_output().
+  /// Adds the output to the list. Throws as FileList::add_output(), and InvalidArgument for a
+  /// format that the terminal cannot show.
   system::OutputFile add_to(system::FileList& files) const { return add_to(files, kind_); }
 
   /// The same for an output of another kind, with the same formats.
-  system::OutputFile add_to(system::FileList& files, const system::OutputKind& kind) const {
-    return files.add_output(kind, path_, format_);
-  }
+  system::OutputFile add_to(system::FileList& files, const system::OutputKind& kind) const;
 
   /// Returns the output as it was given.
   const std::string& path() const { return path_; }

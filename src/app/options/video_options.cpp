@@ -120,10 +120,7 @@ video::Quality VideoOptions::quality() const {
 
 void VideoOptions::require_free_output(const std::string& progress) const {
   if (!is_streamed()) return;
-  if (::isatty(STDOUT_FILENO) != 0) {
-    throw InvalidArgument("--output -", "standard output is a terminal",
-                          "redirect it to a file or a program: twrench render -o - | ffplay -");
-  }
+  require_no_terminal(": twrench render -o - | ffplay -");
   // Writing nothing fails if it is closed. Otherwise ffmpeg would fail after the first frames.
   if (::write(STDOUT_FILENO, "", 0) < 0) {
     throw system::file_error("cannot write standard output", errno);
