@@ -127,7 +127,7 @@ void pipe_scene(CommandLine& line) {
 std::vector<std::string> further_outputs(const CommandLine& line,
                                          const std::vector<Option>& options) {
   std::vector<std::string> outputs;
-  for (const char* name : {"output", "plot", "diff", "report"}) {
+  for (const char* name : {"output", "plot", "diff", "report", "fix"}) {
     const auto is_it = [&](const Option& option) { return option.name == name; };
     if (!line.has(name) && std::ranges::any_of(options, is_it)) outputs.emplace_back(name);
   }

@@ -63,9 +63,10 @@ struct Asked {
   }
 };
 
-/// The default name of a scene's outputs.
+/// The default name of the outputs: that of the scene, else that of the recording.
 std::string default_name(const CommandLine& line) {
-  return line.arguments.empty() ? "dzhanibekov" : fs::path(line.arguments.front()).stem().string();
+  const std::string recording = line.value("motion", "dzhanibekov");
+  return fs::path(line.arguments.empty() ? recording : line.arguments.front()).stem().string();
 }
 
 /// Whether the first argument, a picture or a folder of them, is an output too.
@@ -78,7 +79,7 @@ Asked asked_by(const CommandLine& line, const fs::path& folder) {
   const auto add_file = [&](const std::string& name) {
     asked.files.insert(place_of(name, folder));
   };
-  for (const char* option : {"output", "diff", "plot", "report"}) {
+  for (const char* option : {"output", "diff", "plot", "report", "fix"}) {
     if (line.has(option)) add_file(line.value(option));
   }
   if (line.command == "report" && !asked.files.empty()) {
@@ -229,8 +230,9 @@ Manner manner_of(const CommandLine& line) {
   manner.has_progress = line.is_odd || progress != "none";
   manner.has_bar = line.is_odd || progress == "bar";
   const std::string output = line.value("output");
-  manner.out_is_text = (line.command != "render" && line.command != "encode") ||
-                       (output != "-" && output != "/dev/stdout");
+  const bool is_film = line.command == "render" || line.command == "encode";
+  manner.out_is_text =
+      line.value("format") != "npz" && (!is_film || (output != "-" && output != "/dev/stdout"));
   const auto is_help = [](const std::string& word) {
     return word == "-h" || word.starts_with("--help");
   };

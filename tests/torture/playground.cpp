@@ -55,6 +55,44 @@ void put_meshes(const fs::path& folder) {
   put(folder / "short.stl", std::string(80, 'x') + "\xff\xff\xff\xff");
 }
 
+/// A link in the form of a box, as URDF describes it.
+std::string link(const std::string& name, const std::string& mass, const std::string& moments) {
+  return "<link name=\"" + name + "\"><inertial><mass value=\"" + mass + "\"/><inertia " + moments +
+         " ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>" +
+         "<visual><geometry><box size=\"1 2 3\"/></geometry></visual></link>\n";
+}
+
+void put_robots(const fs::path& folder) {
+  const auto robot = [](const std::string& links) {
+    return "<robot name=\"r\">" + links + "</robot>";
+  };
+  const std::string moments = "ixx=\"13\" iyy=\"10\" izz=\"5\"";
+  const std::string good = link("base", "12", moments);
+  const std::string meshes =
+      "<link name=\"tip\"><inertial><mass value=\"1\"/></inertial><visual><geometry>"
+      "<mesh filename=\"sound.obj\"/></geometry></visual><collision><geometry>"
+      "<mesh filename=\"package://nowhere/../zero.stl\"/></geometry></collision></link>";
+  std::string many;
+  for (int i = 0; i < 2000; ++i) many += link("l" + std::to_string(i), "12", "ixx=\"1\"");
+  const std::vector<std::pair<std::string, std::string>> robots{
+      {"robot.urdf", robot(good + link("hand", "1", "ixx=\"1\" iyy=\"1\" izz=\"9\""))},
+      {"robot.sdf",
+       "<sdf version=\"1.9\"><model name=\"m\"><link name=\"base\"><inertial><mass>2</mass>"
+       "</inertial></link></model></sdf>"},
+      {"robot.xml",
+       "<mujoco><worldbody><body name=\"base\"><geom type=\"box\" size=\"1 2 3\"/></body>"
+       "</worldbody></mujoco>"},
+      {"meshes.urdf", robot(good + meshes)},
+      {"numbers.urdf", robot(link("base", "1e308", moments) + link("nan", "nan", moments) +
+                             link("tiny", "1e-320", "ixx=\"-0\" iyy=\"inf\" izz=\"1,5\""))},
+      {"names.urdf", robot(link("\x1b[31m", "1", moments) + link("a&#10;b", "1", moments) + good +
+                           good + link("", "1", moments))},
+      {"many.urdf", robot(many)},
+      {"cut.urdf", "<robot name=\"r\">" + good},
+      {"macro.urdf", "<robot name=\"r\"><xacro:macro name=\"a\"/></robot>"}};
+  for (const auto& [name, text] : robots) put(folder / name, text);
+}
+
 /// A glTF file whose nodes repeat a mesh with that many primitives.
 std::string repeating_gltf(int nodes, int primitives, int mode) {
   const auto repeated = [](const std::string& text, int count) {
@@ -140,6 +178,10 @@ void put_scenes(const fs::path& folder) {
       {"thin.toml", part("radius = 1e-300\nlength = 2\ndensity = 3\n")},
       {"tiny_moments.toml", "[body]\nmoments = [1e-107, 1e-107, 1e-107]\n"},
       {"uneven_moments.toml", "[body]\nmoments = [1e30, 1e30, 1e-300]\n"},
+      {"recorded.toml", "[body]\nmoments = [3, 4, 5]\n[motion]\nfile = \"recording.csv\"\n"},
+      {"recorded_itself.toml", "[motion]\nfile = \"recorded_itself.toml\"\n"},
+      {"recorded_nowhere.toml", "[motion]\nfile = \"nowhere.csv\"\nto = 1\n"},
+      {"recorded_twice.toml", "[motion]\nfile = \"recording.csv\"\nomega = [1, 2, 3]\n"},
       {"principal.toml", "[body]\nmoments = [3, 4, 5]\n[motion]\nomega = [0, 0, 2]\n"},
       {"fast.toml", "[motion]\nomega = [1e6, 5, 3]\n"},
       {"long_film.toml", "[motion]\nduration = 1e9\n[film]\nfps = 0.001\nspeed = 1e6\n"},
@@ -215,8 +257,8 @@ void run_there(const fs::path& folder, std::vector<std::string> command) {
 /// that the program itself writes.
 void put_old_outputs(const fs::path& folder, const fs::path& twrench) {
   for (const char* ending :
-       {".aem", ".csv", ".gif", ".glb", ".htm", ".html", ".json", ".md",   ".mkv",  ".mov",
-        ".mp4", ".npz", ".pdf", ".png", ".svg", ".txt",  ".vtt",  ".webm", ".webp", ".xml"}) {
+       {".aem", ".csv", ".gif", ".glb", ".htm", ".html", ".json", ".md",   ".mkv",  ".mov", ".mp4",
+        ".npz", ".pdf", ".png", ".svg", ".txt", ".urdf", ".vtt",  ".webm", ".webp", ".xml"}) {
     const std::string notes = std::string("notes") + ending;
     put(folder / notes, "my notes\n");
     fs::create_symlink(notes, folder / ("to_" + notes));
@@ -247,7 +289,7 @@ void put_places(const fs::path& folder) {
 
 const std::vector<Writing>& writings() {
   static const std::vector<Writing> all{
-      {{"simulate", "sound.toml"}, {".csv", ".json"}},
+      {{"simulate", "sound.toml"}, {".csv", ".json", ".npz"}},
       {{"inertia", "sound.toml"}, {".txt", ".json"}},
       {{"check", "recording.csv", "--scene", "sound.toml", "--no-fail"}, {".txt", ".json", ".xml"}},
       {{"study", "sound.toml", "--methods", "rk4", "--steps", "0.1"}, {".txt", ".csv", ".json"}},
@@ -261,6 +303,7 @@ const std::vector<Writing>& writings() {
 void furnish(const fs::path& folder, const fs::path& twrench) {
   put_scenes(folder);
   put_meshes(folder);
+  put_robots(folder);
   put_amplifiers(folder);
   for (const auto& [name, scene] : {std::pair{"frames", "sound.toml"}, {"other", "stable-y"}}) {
     run_there(folder,
