@@ -91,7 +91,9 @@ build_core() {
     jobs+=($!)
   done
   wait "${jobs[0]}" && wait "${jobs[1]}" || die "the motion could not be compiled to WebAssembly"
-  "clang++-$version" --target=wasm32-wasi -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections \
+  # Without compressed relocations, each address takes five bytes.
+  "clang++-$version" --target=wasm32-wasi -mexec-model=reactor \
+    -Wl,--strip-all -Wl,--gc-sections -Wl,--compress-relocations \
     "$out"/unity[01].o -o "$out/core.new"
   zopfli -c "$out/core.new" | base64 -w 0 >"$out/core.base64"
   # Last, so that an interrupted build is repeated.
