@@ -171,10 +171,12 @@ Numbers numbers_of(const Inertial& inertial) {
   return numbers;
 }
 
+bool states_inertia(const Link& link) { return link.inertial && !link.is_from_geometry; }
+
 /// Whether a mistake may explain the numbers of a link, and none is known.
 bool is_unexplained(const Link& link, const Diagnosis& diagnosis) {
-  return link.inertial && !link.is_from_geometry && is_finite(diagnosis.body) &&
-         !diagnosis.agreement && diagnosis.mistakes.empty();
+  return states_inertia(link) && is_finite(diagnosis.body) && !diagnosis.agreement &&
+         diagnosis.mistakes.empty();
 }
 
 /// Names the links that have the numbers of another link, whose geometry explains them.
@@ -182,8 +184,7 @@ void add_copies(JudgedRobot& judged) {
   std::map<Numbers, std::size_t> originals;
   for (std::size_t i = 0; i < judged.diagnoses.size(); ++i) {
     const Link& link = judged.robot.links[i];
-    const bool is_explained = link.inertial && !link.is_from_geometry;
-    if (is_explained && judged.diagnoses[i].agreement)
+    if (states_inertia(link) && judged.diagnoses[i].agreement)
       originals.emplace(numbers_of(*link.inertial), i);
   }
   // The left and the right link of a robot may differ a little.
