@@ -43,10 +43,14 @@ std::string foreign_text(const CheckedFile& file) {
     text += " (without an attitude, rates in space axes cannot be recognised)";
   }
   constexpr double near = 0.5;  // of what changes
-  if (alternatives.nearest && *alternatives.nearest->misfit.worst() < near) {
+  const auto& nearest = alternatives.nearest;
+  const auto is_as_read = [&](const recording::Field& field) {
+    return agree(field, judgement.convention, nearest->convention);
+  };
+  if (nearest && *nearest->misfit.worst() < near &&
+      !std::ranges::all_of(recording::convention_fields(), is_as_read)) {
     text += fmt::format("; the nearest is that {}; then it still misses {:.2g} of what changes",
-                        alternative_text(judgement, alternatives.nearest->convention),
-                        *alternatives.nearest->misfit.worst());
+                        alternative_text(judgement, nearest->convention), *nearest->misfit.worst());
   }
   return text;
 }

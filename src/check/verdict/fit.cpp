@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "check/verdict/error.h"
 #include "check/verdict/exact_rows.h"
@@ -35,6 +37,12 @@ struct Weights {
     return static_cast<std::size_t>(3 * ((rates > 0) + (attitude > 0)));
   }
 };
+
+/// The rotation vector from one attitude to another, in the axes of the first.
+Vector3d turn_between(const Matrix3d& from, const Matrix3d& to) {
+  const Matrix3d back = from.transpose();  // GCC does not inline the product of a transposed one
+  return so3::log(back * to);
+}
 
 /// The residuals of rows as a function of the fitted parameters. Parameters: the change of omega in
 /// units of |omega|; if there is an attitude, the rotation vector by which the frame turns; if the
@@ -78,8 +86,8 @@ class Residuals {
         next += 3;
       }
       if (weights_.attitude > 0) {
-        const Matrix3d apart = rows_[i].X.transpose() * at.frame * exact_.X(i);
-        residuals.segment<3>(next) = weights_.attitude * so3::log(apart);
+        const Matrix3d ought = at.frame * exact_.X(i);
+        residuals.segment<3>(next) = weights_.attitude * turn_between(rows_[i].X, ought);
         next += 3;
       }
     }
@@ -149,6 +157,12 @@ Weights reweighted(const Weights& weights, const RootMeanSquares& left, double s
           inverse(weights.attitude, std::max(left.attitude, round_off)), weights.inertia_numbers};
 }
 
+/// Whether the rates count as much beside the attitudes, up to a factor of two.
+bool are_alike(const Weights& a, const Weights& b) {
+  const double one = a.rates * b.attitude, other = b.rates * a.attitude;
+  return one <= 2 * other && other <= 2 * one;
+}
+
 /// The covariance of the fitted parameters: omega in units of |omega|, the frame in rad.
 MatrixXd covariance_of(const Residuals& residuals) {
   const VectorXd left = residuals_of(residuals);
@@ -205,18 +219,54 @@ Fit result(const std::string& name, const Reference& reference, std::span<const 
   return fit;
 }
 
-/// Fits the first `count` rows, then twice as many, until it has all.
-Fit fitted_from(const std::string& name, Reference reference, std::span<const Row> rows,
-                std::size_t count, const Weights& weights, const std::atomic<bool>* stop) {
+/// Fits rows with the weights that the residuals themselves suggest, until these hardly change:
+/// rates with noise must not spoil attitudes without any, which determine the motion far better.
+Weights fit_with_weights(Reference& reference, std::span<const Row> rows, Weights weights,
+                         const std::atomic<bool>* stop) {
+  constexpr int most_repetitions = 6;
   const double speed = reference.body.omega().norm();
-  for (; count < rows.size(); count *= 2)
-    reference = improved(reference, rows.first(count), weights, stop);
   reference = improved(reference, rows, weights, stop);
-  // Once more, with the weights that the residuals themselves suggest.
+  for (int i = 0; i < most_repetitions; ++i) {
+    const RootMeanSquares left =
+        root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
+    const Weights before = std::exchange(weights, reweighted(weights, left, speed));
+    reference = improved(reference, rows, weights, stop);
+    if (are_alike(before, weights)) break;
+  }
+  return weights;
+}
+
+/// The root mean square of the residuals in units of |omega| and in rad.
+double misfit_of(const Reference& reference, std::span<const Row> rows, const Weights& weights) {
   const RootMeanSquares left =
       root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
-  const Weights by_residuals = reweighted(weights, left, speed);
-  return result(name, improved(reference, rows, by_residuals, stop), rows, by_residuals);
+  return std::hypot(left.rates / reference.body.omega().norm(), left.attitude);
+}
+
+/// Fits the first `count` rows, then up to twice as many, until it has all. Where more rows than
+/// the state predicts make the search end far from them, it takes fewer at a time.
+Fit fitted_from(const std::string& name, Reference reference, std::span<const Row> rows,
+                std::size_t count, Weights weights, const std::atomic<bool>* stop) {
+  count = std::min(count, rows.size());
+  weights = fit_with_weights(reference, rows.first(count), weights, stop);
+  double more = 2;
+  for (int retreats = 0; count < rows.size();) {
+    const std::size_t next =
+        std::min(rows.size(), static_cast<std::size_t>(std::ceil(more * double(count))));
+    Reference farther = reference;
+    const Weights after = fit_with_weights(farther, rows.first(next), weights, stop);
+    constexpr double far = 1.5;
+    constexpr int most_retreats = 8;
+    if (retreats < most_retreats && misfit_of(farther, rows.first(next), after) >
+                                        far * misfit_of(reference, rows.first(count), weights)) {
+      more = std::sqrt(more);
+      ++retreats;
+      continue;
+    }
+    more = std::min(2.0, more * more);
+    std::tie(reference, weights, count) = std::tuple(farther, after, next);
+  }
+  return result(name, reference, rows, weights);
 }
 
 }  // namespace

@@ -263,12 +263,23 @@ bool are_noise(const Judgement& judgement, const ReadRecording& read, const Prob
   const double grown =
       std::max(growth.back().rates / speed, judgement.has_attitude ? growth.back().attitude : 0);
   constexpr double much = 0.1;  // if errors grow so much, wrong motions are within the limits, too
-  if (initial * grown > much)
-    return is_noise_left_by(judgement.fit ? *judgement.fit : fitted(read, problem), judgement);
+  if (initial * grown > much) {
+    if (judgement.fit) return is_noise_left_by(*judgement.fit, judgement);
+    // Errors of more than half a turn hide the noise, which shows beside the motion that fits best.
+    Problem of_fit = problem;
+    of_fit.fit = true;
+    return judge(read.recording, read.convention, of_fit).within_noise;
+  }
+  // The first row does not determine the frame of a fit.
+  constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
+  const double of_frame = judgement.fit && judgement.fit->frame_deviation
+                              ? round_off + deviations * judgement.fit->frame_deviation->maxCoeff()
+                              : 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Span& span = judgement.course[i];
     const double rate_limit = span.rate_limit + rate + initial * growth[i].rates;
-    const double attitude_limit = span.attitude_limit + 2 * attitude + initial * growth[i].attitude;
+    const double attitude_limit =
+        span.attitude_limit + of_frame + 2 * attitude + initial * growth[i].attitude;
     if (judgement.has_rates && span.rate_error > rate_limit) return false;
     if (judgement.has_attitude && span.attitude_error > attitude_limit) return false;
   }

@@ -335,6 +335,48 @@ TEST(Judge, FindsTheMotionInNoiseThatGrows) {
   EXPECT_FALSE(judged_with_noise(1e-3).within_noise);
 }
 
+/// Rows of a body that turns over eight times, with noise in both quantities.
+std::vector<Row> rows_with_noise(double of_rates, double of_attitudes, std::uint32_t seed) {
+  const motion::ExactMotion exact({inertia, Vector3d(0.02, 1, 0.03)});
+  std::vector<Row> rows = rows_of([&](double t) { return exact.at(t); }, 600, 0.2);
+  SceneDice dice(seed, 3);
+  for (Row& row : rows) {
+    row.omega += of_rates * dice.vector(-1, 1);
+    row.X *= so3::exp(of_attitudes * dice.vector(-1, 1));
+  }
+  return rows;
+}
+
+// Rates of a gyroscope beside attitudes of a camera, and the reverse: the one must not spoil what
+// the other determines, and the motion grows from the noise of the first row.
+TEST(Judge, FindsTheMotionInNoiseOfAnyKind) {
+  for (const double of_rates : {0.0, 1e-3, 0.08}) {
+    for (const double of_attitudes : {0.0, 1e-4, 0.05}) {
+      if (of_rates == 0 && of_attitudes == 0) continue;
+      for (const Parts parts : {Parts::both, Parts::attitude}) {
+        if (parts == Parts::attitude && (of_rates > 0 || of_attitudes == 0)) continue;
+        for (const std::uint32_t seed : {0U, 1U}) {
+          const Judgement judgement =
+              judged(rows_with_noise(of_rates, of_attitudes, seed), parts, tumbling_problem());
+          EXPECT_TRUE(judgement.within_noise)
+              << of_rates << " " << of_attitudes << " " << seed << " " << judgement.noise.rate
+              << " " << judgement.noise.attitude;
+        }
+      }
+    }
+  }
+}
+
+// Even strong noise does not hide a law that is wrong by a few percent.
+TEST(Judge, FindsNoOtherMotionInNoise) {
+  Problem other = tumbling_problem();
+  other.inertia(1, 1) *= 1.05;
+  for (const double of_rates : {0.0, 0.05}) {
+    const std::vector<Row> rows = rows_with_noise(of_rates, 1e-3, 1);
+    EXPECT_FALSE(judged(rows, Parts::both, other).within_noise) << of_rates;
+  }
+}
+
 /// A steady rotation as Rodrigues parameters, a thousand of them at half a turn. The axis of one
 /// row is tilted by 1e-14.
 Judgement judged_rodrigues(int tilted_row) {
