@@ -225,6 +225,9 @@ Weights fit_with_weights(Reference& reference, std::span<const Row> rows, Weight
                          const std::atomic<bool>* stop) {
   constexpr int most_repetitions = 6;
   const double speed = reference.body.omega().norm();
+  const double most = std::max(weights.rates * speed, weights.attitude);
+  weights.rates /= most;  // so that the search ends at the same relative change
+  weights.attitude /= most;
   reference = improved(reference, rows, weights, stop);
   for (int i = 0; i < most_repetitions; ++i) {
     const RootMeanSquares left =

@@ -203,11 +203,13 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
   const motion::FreeBody& body = judgement.reference.body;
   const LastDigits& digits = judgement.digits;
   const double speed = body.omega().norm();
-  const double initial = judgement.has_rates ? digits.rate : digits.attitude * speed;
+  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+  const double of_fit = judgement.fit ? 2 * round_off : 0;  // a fit ends where rounding hides more
+  const double initial =
+      (judgement.has_rates ? digits.rate : digits.attitude * speed) + of_fit * speed;
   const std::vector<Growth> growth = error_growth(body, times, initial);
   // The first row determines the frame.
-  const double of_frame = attitude_digit(judgement, judgement.course.front());
-  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+  const double of_frame = attitude_digit(judgement, judgement.course.front()) + of_fit;
   judgement.within_digits = true;
   for (std::size_t i = 0; i < times.size(); ++i) {
     Span& span = judgement.course[i];
@@ -271,9 +273,8 @@ bool are_noise(const Judgement& judgement, const ReadRecording& read, const Prob
     return judge(read.recording, read.convention, of_fit).within_noise;
   }
   // The first row does not determine the frame of a fit.
-  constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
   const double of_frame = judgement.fit && judgement.fit->frame_deviation
-                              ? round_off + deviations * judgement.fit->frame_deviation->maxCoeff()
+                              ? deviations * judgement.fit->frame_deviation->maxCoeff()
                               : 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Span& span = judgement.course[i];
