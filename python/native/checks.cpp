@@ -112,11 +112,13 @@ std::function<recording::Recording()> opener_of(const Source& source) {
 }
 
 /// Lets the scene show the recording for its whole duration, unless the caller gave another.
-void show_recording(scene::Scene& scene, const Source& source, const Given& given) {
+void show_recording(scene::Scene& scene, const Source& source, const Given& given, bool smooth) {
   const std::function<recording::Recording()> open = opener_of(source);
   const py::gil_scoped_release others_run;
   on_scene([&] {
-    replay::show_recording(scene, open(), convention_of(given));
+    replay::show_recording(
+        scene, open(), convention_of(given), replay::Body::known,
+        smooth ? recording::Smoothing::within_noise : recording::Smoothing::none);
     scene::set_natural_times(scene);
     scene::check_shown_motion(scene);
   });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/enumeration.h"
+#include "base/words.h"
 #include "body.h"
 #include "errors.h"
 #include "module.h"
@@ -96,7 +97,9 @@ Scene scene_of_mesh(const std::string& file, std::optional<double> scale,
 std::vector<std::string> scene_notes(const Scene& scene) {
   std::vector<std::string> notes = mesh_notes(scene);
   if (const auto& recording = scene.motion.recording) {
-    notes.insert(notes.end(), recording->notes.begin(), recording->notes.end());
+    for (const std::string& note : recording->notes) {
+      notes.push_back(with_arguments(note, argument_text));
+    }
   }
   if (!scene.body.inertia) return notes;
   if (const auto note = scene::unreal_moments_note(scene.name, *scene.body.inertia)) {

@@ -186,6 +186,12 @@ def instance(name: str, value: Any, kind: type[T]) -> T:
     return value
 
 
+def flag(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise UsageError(f"{name}: must be True or False, not {brief(value)}")
+    return bool(value)
+
+
 def text(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise UsageError(f"{name}: must be a string, not {brief(value)}")

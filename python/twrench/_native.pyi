@@ -343,6 +343,7 @@ def show_recording(
     scene: Scene,
     source: str | tuple[str, list[tuple[str, _Array]]],
     convention: Mapping[str, str | bool | _Array],
+    smooth: bool,
 ) -> None: ...
 def show_own_recording(scene: Scene) -> None: ...
 def check(

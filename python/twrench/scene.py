@@ -207,6 +207,8 @@ class Scene:
         ``compare=["exact"]`` shows the free motion beside it. What needs the free motion of the body
         is left out, with a warning, if the recording does not follow it. It excludes ``omega`` and
         ``method``.
+    :param smooth: whether to show the smoothest motion within the noise of ``motion`` instead of its
+        rows. A warning says whether the noise can be seen.
     :param unknown: no other arguments are accepted; the error proposes the nearest name.
     :raises SceneError: for a mistake; the message names file, line and key.
     :raises FileError: if the file cannot be read.
@@ -281,6 +283,7 @@ class Scene:
         mass: float | None = None,
         body: Body = UNSET,
         motion: Recording = UNSET,
+        smooth: bool = UNSET,
         title: str = UNSET,
         language: LanguageName | str = UNSET,
         omega: Numbers = UNSET,
@@ -351,7 +354,7 @@ class Scene:
             warnings.warn(note, stacklevel=2)
         self._original = _native.Scene(self._native)
         self._drawer: _native.FrameDrawer | None = None
-        keys = ("body", *_keys(), "motion", "length")
+        keys = ("body", *_keys(), "motion", "smooth", "length")
         values = {key: given[key] for key in keys if given[key] is not UNSET}
         self._set_all(values | unknown)
 
@@ -383,7 +386,7 @@ class Scene:
         if "body" in values:  # first, because it resets the title and the times
             self.body = values["body"]
         for key, value in values.items():
-            if key in ("body", "motion", "length"):
+            if key in ("body", "motion", "smooth", "length"):
                 continue
             if isinstance(getattr(type(self), key, None), _Value):
                 setattr(self, key, value)
@@ -391,9 +394,15 @@ class Scene:
                 self._native.set(key, "null")  # raises an error that lists the keys
         if "motion" in values or self._native.names_recording:
             _require_nothing_computed(values)
+        if "smooth" in values and "motion" not in values:
+            raise SceneError(
+                "smooth: it applies to the recording given as motion, and there is none",
+                "give motion too; in a scene file [motion] has the key smooth",
+            )
         if "motion" in values:  # after what it is compared with
             recording = _arguments.instance("motion", values["motion"], Recording)
-            self._show(lambda: _native.show_recording(self._native, *recording._origin))
+            smooth = _arguments.flag("smooth", values.get("smooth", False))
+            self._show(lambda: _native.show_recording(self._native, *recording._origin, smooth))
         elif self._native.names_recording:
             self._show(lambda: _native.show_own_recording(self._native))
         if "length" in values:  # last, because it follows from the others or determines one of them

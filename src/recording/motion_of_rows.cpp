@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "recording/smoothing.h"
+
 namespace twrench::recording {
 namespace {
 
@@ -152,10 +154,70 @@ double widest_turn(const Recording& recording, std::span<const Instant> rows, bo
   return widest;
 }
 
+/// The times of rows, which a Sequence refers to.
+std::vector<double> times_of(std::span<const Instant> rows) {
+  std::vector<double> times;
+  for (const Instant& row : rows) times.push_back(row.t);
+  return times;
+}
+
+/// The quaternions of rows, without jumps from one to its opposite. Their distances are half the
+/// angles between the attitudes.
+Eigen::MatrixXd quaternions_of(std::span<const Instant> rows) {
+  Eigen::MatrixXd values(std::ssize(rows), 4);
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    values.row(i) = rows[static_cast<std::size_t>(i)].X.coeffs();
+    if (i > 0 && values.row(i).dot(values.row(i - 1)) < 0) values.row(i) *= -1;
+  }
+  return values;
+}
+
+Eigen::MatrixXd rates_of(std::span<const Instant> rows) {
+  Eigen::MatrixXd values(std::ssize(rows), 3);
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    values.row(i) = rows[static_cast<std::size_t>(i)].omega;
+  }
+  return values;
+}
+
+/// Measures the noise in the middle of the longest part.
+RowNoise noise_of(std::span<const std::span<Instant>> parts, bool has_attitude, bool has_rates) {
+  constexpr std::size_t enough = 20'000;
+  const std::span<const Instant> longest =
+      *std::ranges::max_element(parts, {}, &std::span<Instant>::size);
+  const std::size_t count = std::min(enough, longest.size());
+  const auto middle = longest.subspan((longest.size() - count) / 2, count);
+  const std::vector<double> times = times_of(middle);
+  RowNoise noise;
+  if (has_rates) noise.rates = independent_noise({times, rates_of(middle)});
+  if (has_attitude) noise.attitude = independent_noise({times, quaternions_of(middle)});
+  if (noise.attitude) *noise.attitude *= 2;
+  return noise;
+}
+
+/// Replaces the rows between two gaps by smoother ones.
+void smooth(std::span<Instant> rows, const RowNoise& noise) {
+  constexpr std::size_t fewest = 8;  // with fewer, the noise cannot be told from the motion
+  if (rows.size() < fewest) return;
+  const std::vector<double> times = times_of(rows);
+  if (noise.attitude) {
+    const Eigen::MatrixXd values = smoothed({times, quaternions_of(rows)}, *noise.attitude / 2);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].X.coeffs() = values.row(static_cast<Eigen::Index>(i)).normalized();
+    }
+  }
+  if (noise.rates) {
+    const Eigen::MatrixXd values = smoothed({times, rates_of(rows)}, *noise.rates);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].omega = values.row(static_cast<Eigen::Index>(i));
+    }
+  }
+}
+
 }  // namespace
 
 MotionOfRows motion_of_rows(const Recording& recording, const Convention& convention,
-                            const Quaterniond& start) {
+                            const Quaterniond& start, Smoothing smoothing) {
   RowReader reader = recording.rows(convention);
   const bool has_rates = reader.has_rates();
   const bool has_attitude = reader.attitude() != AttitudeForm::none;
@@ -173,9 +235,17 @@ MotionOfRows motion_of_rows(const Recording& recording, const Convention& conven
   constexpr double rounding = 1 + 1e-6;
   const double longest_step = 4 * usual_step(rows) * rounding;
   const auto parts = without_gaps(rows, longest_step);
+  const RowNoise noise = noise_of(parts, has_attitude, has_rates);
   double drift = 0;
   for (const std::span<Instant> part : parts) {
     const double widest = widest_turn(recording, part, has_rates);
+    switch (smoothing) {
+      case Smoothing::none:
+        break;
+      case Smoothing::within_noise:
+        smooth(part, noise);
+        break;
+    }
     if (!has_rates) derive_rates(part, widest);
     if (has_attitude) continue;
     if (part.data() != rows.data()) part.front().X = (part.data() - 1)->X;  // held in the gap
@@ -187,7 +257,8 @@ MotionOfRows motion_of_rows(const Recording& recording, const Convention& conven
           .has_rates = has_rates,
           .has_attitude = has_attitude,
           .gaps = parts.size() - 1,
-          .drift = drift};
+          .drift = drift,
+          .noise = noise};
 }
 
 }  // namespace twrench::recording

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "base/enumeration.h"
+#include "base/words.h"
 #include "check/report/checked_file.h"
 #include "check/report/choice.h"
 #include "check/report/result.h"
@@ -205,8 +207,55 @@ std::string why_not_free(const std::string& name, Body body,
   return fmt::format("no free motion of this body can be fitted to {}", name);
 }
 
-std::vector<std::string> notes_on(const recording::MotionOfRows& shown,
-                                  const Recording& recording) {
+/// Names the noise, as far as there is any.
+std::string noise_text(const recording::RowNoise& noise) {
+  std::vector<std::string> parts;
+  if (noise.attitude) {
+    parts.push_back(
+        fmt::format("{:.2g} degrees in the attitudes", *noise.attitude * 180 / std::numbers::pi));
+  }
+  if (noise.rates) parts.push_back(fmt::format("{:.2g} rad/s in the rates", *noise.rates));
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+/// Whether a film shows the noise: the body or the arrow of omega would tremble.
+bool is_noise_visible(const recording::MotionOfRows& shown) {
+  constexpr double least_angle = 3.5e-3;  // rad: a pixel at the edge of a large body
+  constexpr double least_share = 0.02;    // of omega
+  const recording::RowNoise& noise = shown.noise;
+  if (noise.attitude && *noise.attitude > least_angle) return true;
+  const std::vector<RecordedMotion::Instant>& rows = shown.motion.instants();
+  double squares = 0;
+  for (const RecordedMotion::Instant& row : rows) squares += row.omega.squaredNorm();
+  const double speed = std::sqrt(squares / static_cast<double>(rows.size()));
+  if (noise.rates) return *noise.rates > least_share * speed;
+  // Rates are differences of attitudes.
+  const double step = shown.motion.duration() / static_cast<double>(rows.size() - 1);
+  return noise.attitude && *noise.attitude / step > least_share * speed;
+}
+
+std::string note_on_noise(const recording::MotionOfRows& shown, const std::string& file,
+                          recording::Smoothing smoothing) {
+  const std::string noise = noise_text(shown.noise);
+  switch (smoothing) {
+    case recording::Smoothing::none:
+      if (!is_noise_visible(shown)) return "";
+      return fmt::format("{} has noise of {}, which can be seen: {} removes it", file, noise,
+                         argument("smooth"));
+    case recording::Smoothing::within_noise:
+      if (noise.empty()) {
+        return fmt::format(
+            "{} has no noise that is independent from row to row, so its rows are "
+            "shown as they are",
+            file);
+      }
+      return fmt::format("{} is smoothed within its noise: {}", file, noise);
+  }
+  return "";
+}
+
+std::vector<std::string> notes_on(const recording::MotionOfRows& shown, const Recording& recording,
+                                  recording::Smoothing smoothing) {
   const std::string& file = recording.name();
   std::vector<std::string> notes;
   if (const std::string rows = recording.left_out(); !rows.empty()) {
@@ -223,6 +272,9 @@ std::vector<std::string> notes_on(const recording::MotionOfRows& shown,
         fmt::format("{} has {} gap{} of more than four intervals, in which the body is "
                     "held",
                     file, shown.gaps, shown.gaps == 1 ? "" : "s"));
+  }
+  if (std::string note = note_on_noise(shown, file, smoothing); !note.empty()) {
+    notes.push_back(std::move(note));
   }
   return notes;
 }
@@ -242,7 +294,7 @@ void set_start(scene::Motion& motion, const std::optional<check::CheckedFile>& f
 
 /// Sets Motion::recording and the initial condition.
 void play(scene::Scene& scene, const Recording& recording, const recording::Convention& given,
-          Body body) {
+          Body body, recording::Smoothing smoothing) {
   const std::string& name = recording.name();
   require_one_motion(scene, name);
   std::optional<check::CheckedFile> file;
@@ -256,10 +308,10 @@ void play(scene::Scene& scene, const Recording& recording, const recording::Conv
   }
   recording::MotionOfRows shown = recording::motion_of_rows(
       recording, file ? file->judgement.convention : chosen(scene, recording, given, body),
-      scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()));
+      scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()), smoothing);
   set_start(scene.motion, file, shown.motion, shown.has_attitude);
 
-  std::vector<std::string> notes = notes_on(shown, recording);
+  std::vector<std::string> notes = notes_on(shown, recording, smoothing);
   if (!follows(file)) leave_out(scene, name, why_not_free(name, body, file), notes);
   std::vector<double> flips;
   if (file) flips = flips_of(shown.motion, file->judgement.reference);
@@ -281,8 +333,8 @@ void play(scene::Scene& scene, const Recording& recording, const recording::Conv
 }  // namespace
 
 void show_recording(scene::Scene& scene, const Recording& recording,
-                    const recording::Convention& given, Body body) {
-  play(scene, recording, given, body);
+                    const recording::Convention& given, Body body, recording::Smoothing smoothing) {
+  play(scene, recording, given, body, smoothing);
   scene.motion.recording_file = nullptr;
   if (scene.origins.title != scene::Origin::user) {
     scene.title = std::filesystem::path(recording.name()).filename().string();
@@ -296,7 +348,7 @@ void show_recording(scene::Scene& scene, const Recording& recording,
 void show_own_recording(scene::Scene& scene) {
   const std::shared_ptr<const scene::RecordingFile> own = scene.motion.recording_file;
   const Recording whole(own->path);
-  play(scene, whole.between({own->from, own->to}), own->convention, Body::known);
+  play(scene, whole.between({own->from, own->to}), own->convention, Body::known, own->smoothing);
 }
 
 }  // namespace twrench::replay

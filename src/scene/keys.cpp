@@ -239,7 +239,11 @@ const std::vector<Key>& recording_keys() {
         {.name = "to",
          .help = "leave out the rows of the recording after this time, s since the first row",
          .form = {number, limits::coordinate},
-         .otherwise = "the last row"}};
+         .otherwise = "the last row"},
+        {.name = "smooth",
+         .help = "whether to show the smoothest motion within the noise of the recording",
+         .form = {flag},
+         .value = false}};
     for (const recording::Field& field : recording::convention_fields()) {
       if (field.form != recording::FieldForm::unasked) keys.push_back(convention_key(field));
     }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "recording/conventions/convention.h"
+#include "recording/motion_of_rows.h"
 
 namespace twrench::scene {
 
@@ -17,6 +18,8 @@ struct RecordingFile {
   /// The rows that are shown, by their times in s since the first row.
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
+  /// Whether the noise of the rows is removed.
+  recording::Smoothing smoothing = recording::Smoothing::none;
   /// How it is read, as far as the scene file states it.
   recording::Convention convention = {};
   /// The recording_keys() that are given, with their values, as the text of a JSON object.

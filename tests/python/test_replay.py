@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import twrench
-from twrench import Body, Recording, Scene, UsageError
+from twrench import Body, Recording, Scene, SceneError, UsageError
 
 BODY = Body(moments=[2, 3, 4.5])
 START = (0.3, 2, 0.4)
@@ -49,6 +49,22 @@ def test_what_needs_a_free_motion_is_left_out_with_a_warning():
     with pytest.warns(UserWarning, match="left out: momentum, sphere"):
         scene = Scene(body=BODY, motion=wrong, size=SIZE)
     assert "momentum" not in scene.show and "omega" in scene.show
+
+
+def test_noise_is_named_and_removed():
+    motion = recorded()
+    noise = np.random.default_rng(1).normal(scale=0.05, size=motion.omega.shape)
+    noisy = Recording(motion.t, motion.omega + noise, motion.X)
+    with pytest.warns(UserWarning, match="can be seen: smooth removes it"):
+        Scene(body=BODY, motion=noisy, size=SIZE)
+    with pytest.warns(UserWarning, match="is smoothed within its noise: 0.05 rad/s"):
+        Scene(body=BODY, motion=noisy, smooth=True, size=SIZE)
+    for values, complaint in (
+        ({"smooth": True}, "smooth: it applies to the recording given as motion"),
+        ({"motion": noisy, "smooth": 1}, "smooth: must be True or False, not 1"),
+    ):
+        with pytest.raises((SceneError, UsageError), match=complaint):
+            Scene(body=BODY, size=SIZE, **values)
 
 
 def test_results_of_the_free_motion_are_refused(tmp_path):

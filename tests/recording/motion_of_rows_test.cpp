@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 
 #include "recording/columns/open_conventions.h"
@@ -150,6 +151,128 @@ TEST(MotionOfRows, HoldsTheBodyInGaps) {
     // Four intervals are no gap.
     const auto skipping = [](int i) { return 0.05 * (i < 100 ? i : i + 3); };
     EXPECT_EQ(motion_of(table_of(columns, skipping, 200)).gaps, 0U);
+  }
+}
+
+/// A row whose values have noise of that standard deviation in each component.
+class NoisyRows {
+ public:
+  NoisyRows(double rate_noise, double attitude_noise)
+      : rate_noise_(rate_noise), attitude_noise_(attitude_noise) {}
+
+  motion::Sample row(motion::Sample sample) {
+    sample.omega += rate_noise_ * vector();
+    sample.X = sample.X * so3::exp(attitude_noise_ * vector());
+    return sample;
+  }
+
+ private:
+  /// The sum of twelve numbers between -1/2 and 1/2 has the variance 1. The distributions of the
+  /// standard library differ from one to another.
+  Vector3d vector() {
+    Vector3d sum = Vector3d::Zero();
+    for (double& component : sum) {
+      for (int i = 0; i < 12; ++i) component += double(engine_()) / double(engine_.max()) - 0.5;
+    }
+    return sum;
+  }
+
+  std::mt19937 engine_{7};
+  double rate_noise_, attitude_noise_;
+};
+
+constexpr double rate_noise = 0.03, attitude_noise = 0.01;
+
+std::string noisy_table(Contents columns, const std::function<double(int)>& time, int count) {
+  NoisyRows noisy(rate_noise, attitude_noise);
+  std::string text = line_of_names(columns);
+  for (int i = 0; i < count; ++i) {
+    text += row_with(columns, noisy.row(tumbling().at(time(i))), time(i));
+  }
+  return text;
+}
+
+MotionOfRows smooth_motion_of(const std::string& text) {
+  const Recording recording(table::open_table("run.csv", text));
+  return motion_of_rows(recording, conventions(recording.header(), {}).at(0),
+                        Eigen::Quaterniond::Identity(), Smoothing::within_noise);
+}
+
+/// The root mean squares of the errors of the rows, in each of three components.
+struct RowErrors {
+  double attitude = 0, rates = 0;
+};
+
+RowErrors errors_of_rows(const MotionOfRows& shown) {
+  RowErrors squares;
+  for (const motion::RecordedMotion::Instant& row : shown.motion.instants()) {
+    const motion::Sample ought = tumbling().at(row.t);
+    const Eigen::Quaterniond X(row.X);
+    squares.attitude += so3::log(ought.X.transpose() * X.toRotationMatrix()).squaredNorm();
+    squares.rates += (row.omega - ought.omega).squaredNorm();
+  }
+  const double values = 3.0 * double(shown.motion.instants().size());
+  return {std::sqrt(squares.attitude / values), std::sqrt(squares.rates / values)};
+}
+
+TEST(MotionOfRows, MeasuresNoise) {
+  const auto even = [](int i) { return 0.02 * i; };
+  const auto uneven = [](int i) { return 0.02 * i + 0.008 * std::sin(double(i)); };
+  for (const std::function<double(int)>& time : {std::function<double(int)>(even), {uneven}}) {
+    const RowNoise noise = motion_of(noisy_table(Contents::both, time, 1001)).noise;
+    ASSERT_TRUE(noise.attitude && noise.rates);
+    EXPECT_NEAR(*noise.attitude / attitude_noise, 1, 0.1);
+    EXPECT_NEAR(*noise.rates / rate_noise, 1, 0.1);
+  }
+}
+
+TEST(MotionOfRows, TellsNoiseFromOtherErrors) {
+  // Errors that depend on their neighbours, of 30 rows a period: the sixth differences are smaller.
+  std::string text = "t,wx,wy,wz\n";
+  for (int i = 0; i < 500; ++i) {
+    motion::Sample sample = tumbling().at(0.02 * i);
+    sample.omega.x() += 0.03 * std::sin(0.2 * i);
+    text += row_with(Contents::rates, sample, 0.02 * i);
+  }
+  EXPECT_FALSE(motion_of(text).noise.rates.has_value());
+  EXPECT_FALSE(motion_of(text).noise.attitude.has_value());
+}
+
+TEST(MotionOfRows, SmoothsWithinTheNoise) {
+  const auto even = [](int i) { return 0.02 * i; };
+  const auto uneven = [](int i) { return 0.02 * i + 0.008 * std::sin(double(i)); };
+  for (const std::function<double(int)>& time : {std::function<double(int)>(even), {uneven}}) {
+    const std::string text = noisy_table(Contents::both, time, 1001);
+    const RowErrors before = errors_of_rows(motion_of(text));
+    const RowErrors after = errors_of_rows(smooth_motion_of(text));
+    EXPECT_NEAR(before.attitude / attitude_noise, 1, 0.05);
+    EXPECT_LT(after.attitude, 0.35 * before.attitude);
+    EXPECT_LT(after.rates, 0.3 * before.rates);
+    // Rates that follow from attitudes gain most.
+    const std::string attitudes = noisy_table(Contents::attitudes, time, 1001);
+    EXPECT_LT(errors_of_rows(smooth_motion_of(attitudes)).rates,
+              0.1 * errors_of_rows(motion_of(attitudes)).rates);
+    const std::string rates = noisy_table(Contents::rates, time, 1001);
+    EXPECT_LT(errors_of_rows(smooth_motion_of(rates)).rates, 0.3 * rate_noise);
+  }
+}
+
+TEST(MotionOfRows, SmoothingRemovesNoMoreThanTheNoise) {
+  const std::string text = noisy_table(
+      Contents::both, [](int i) { return 0.02 * i; }, 1001);
+  const MotionOfRows rows = motion_of(text), smooth = smooth_motion_of(text);
+  double squares = 0;
+  for (std::size_t i = 0; i < rows.motion.instants().size(); ++i) {
+    squares += (rows.motion.instants()[i].omega - smooth.motion.instants()[i].omega).squaredNorm();
+  }
+  EXPECT_NEAR(std::sqrt(squares / 3003) / *rows.noise.rates, 1, 0.01);
+}
+
+TEST(MotionOfRows, SmoothingKeepsDigits) {
+  for (const Contents columns : {Contents::both, Contents::attitudes, Contents::rates}) {
+    const std::string text = table_of(
+        columns, [](int i) { return 0.02 * i; }, 1001, 9);
+    EXPECT_LT(error_of(smooth_motion_of(text)), 1e-6) << line_of_names(columns);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "sanitizers.h"
 #include "scene/interior.h"
 #include "scene/natural_times.h"
 #include "scene/scene_json.h"
@@ -69,15 +70,20 @@ double error_of_frames(const scene::Scene& scene, const motion::FreeBody& body) 
   return error;
 }
 
+/// Makes a scene of a rigid body one that can show a recording. Returns whether it is one.
+bool is_shown_alone(scene::Scene& scene) {
+  scene.overlay.compare_omega.clear();
+  scene.overlay.compare_wheel.clear();
+  scene.overlay.compare.clear();
+  scene.camera.frame = scene::Frame::space;
+  return scene.shots.empty() && scene.motion.is_rigid();
+}
+
 TEST(ShowRecording, ShowsTheMotionOfEveryBuiltInScene) {
   int shown = 0;
   for (const std::string& name : scene::builtin_scene_names()) {
     scene::Scene scene = scene::load_scene(name);
-    if (!scene.shots.empty() || !scene.motion.is_rigid()) continue;
-    scene.overlay.compare_omega.clear();
-    scene.overlay.compare_wheel.clear();
-    scene.overlay.compare.clear();
-    scene.camera.frame = scene::Frame::space;
+    if (!is_shown_alone(scene)) continue;
     const motion::FreeBody body = scene::free_body(scene);
     const double turn = 2 * std::numbers::pi / scene::fastest_rate(body), duration = 20 * turn;
     show(scene, table_of(body, duration, 801));
@@ -152,6 +158,62 @@ TEST(ShowRecording, FitsTheFreeMotionToNoise) {
        }));
   EXPECT_LT((scene.motion.omega - tumbling().omega()).norm(), 1e-3);
   EXPECT_TRUE(scene.overlay.shows(Feature::momentum));
+}
+
+/// Rates with noise of a twentieth of their size, uniform in each component.
+std::string noisy_table_of(const motion::FreeBody& body, double duration) {
+  std::mt19937 random(7);
+  const double most = body.omega().norm() / 20 * std::sqrt(3.0);
+  const auto noise = [&] { return most * (2 * double(random()) / double(random.max()) - 1); };
+  return table_of(body, duration, 401, [&](const Vector3d& omega) -> Vector3d {
+    return omega + Vector3d(noise(), noise(), noise());
+  });
+}
+
+/// The root mean square of the errors of a component of the rates, relative to their noise.
+double share_of_noise(const scene::Scene& scene, const motion::FreeBody& body) {
+  const motion::ExactMotion motion(body);
+  double squares = 0;
+  const auto& instants = scene.motion.recording->motion.instants();
+  for (const motion::RecordedMotion::Instant& instant : instants) {
+    squares += (instant.omega - motion.at(instant.t).omega).squaredNorm();
+  }
+  return std::sqrt(squares / (3 * double(instants.size()))) / (body.omega().norm() / 20);
+}
+
+/// Smoothing leaves at most half of the noise, and the notes name it before and after.
+void expect_smoother(const scene::Scene& plain, const motion::FreeBody& body, double duration) {
+  const std::string text = noisy_table_of(body, duration);
+  for (const auto smoothing : {recording::Smoothing::none, recording::Smoothing::within_noise}) {
+    const bool smooth = smoothing == recording::Smoothing::within_noise;
+    scene::Scene scene = plain;
+    show_recording(scene, recording::Recording(table::open_table("run.csv", text)), {}, Body::known,
+                   smoothing);
+    const double share = share_of_noise(scene, body);
+    EXPECT_TRUE(smooth ? share < 0.5 : std::abs(share - 1) < 0.1) << plain.name << " " << share;
+    EXPECT_THAT(scene.motion.recording->notes,
+                testing::Contains(HasSubstr(smooth ? "is smoothed" : "can be seen")))
+        << plain.name;
+  }
+}
+
+TEST(ShowRecording, SmoothsTheNoiseOfEveryBuiltInScene) {
+  if (has_sanitizers) GTEST_SKIP() << "repeats the computation with other numbers";
+  int shown = 0;
+  for (const std::string& name : scene::builtin_scene_names()) {
+    scene::Scene scene = scene::load_scene(name);
+    if (!is_shown_alone(scene)) continue;
+    const motion::FreeBody body = scene::free_body(scene);
+    expect_smoother(scene, body, 20 * std::numbers::pi / scene::fastest_rate(body));
+    ++shown;
+  }
+  EXPECT_GT(shown, 5);
+  for (const double size : {1e-6, 1e6}) {
+    const double speed = std::sqrt(1 / size);
+    const scene::Scene scene = with_moments(std::pow(size, 5) * Vector3d(2, 3, 4.5));
+    const motion::FreeBody body(*scene.body.inertia, speed * Vector3d(0.3, 2, 0.4));
+    expect_smoother(scene, body, 10 / speed);
+  }
 }
 
 TEST(ShowRecording, LeavesOutWhatNeedsAFreeMotion) {

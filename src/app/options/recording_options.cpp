@@ -54,13 +54,18 @@ void RecordingOptions::add_to(CLI::App& command) {
       ->type_name("FILE")
       ->group(heading(OptionGroup::motion));
   extract_.add_to(command);
+  command
+      .add_flag("--smooth", smooth_,
+                "of a recording: show the smoothest motion within its noise instead of its rows")
+      ->group(heading(OptionGroup::motion));
   convention_.add_to(command);
 }
 
 std::vector<std::string> RecordingOptions::given() const {
   std::vector<std::string> words;
   if (!file_.empty()) words = {"--motion", file_};
-  for (const std::vector<std::string>& more : {extract_.given(), convention_.given()}) {
+  const std::vector<std::string> smooth(smooth_ ? 1 : 0, "--smooth");
+  for (const std::vector<std::string>& more : {extract_.given(), smooth, convention_.given()}) {
     words.insert(words.end(), more.begin(), more.end());
   }
   return words;
@@ -87,6 +92,7 @@ std::shared_ptr<const scene::RecordingFile> RecordingOptions::with_options(
   const recording::Extract extract = extract_.extract();
   if (std::isfinite(extract.from)) keys["from"] = extract.from;
   if (std::isfinite(extract.to)) keys["to"] = extract.to;
+  if (smooth_) keys["smooth"] = true;
   keys.update(convention_.values());
   return std::make_shared<const scene::RecordingFile>(
       scene::recording_file(keys, own.path, name_of_option));
@@ -96,9 +102,10 @@ void RecordingOptions::apply(scene::Scene& scene, bool has_body) const {
   if (command_ == nullptr) return;
   if (!file_.empty()) {
     require_nothing_computed(file_);
-    replay::show_recording(scene, recording::Recording(file_).between(extract_.extract()),
-                           convention_.convention(),
-                           has_body ? replay::Body::known : replay::Body::unknown);
+    replay::show_recording(
+        scene, recording::Recording(file_).between(extract_.extract()), convention_.convention(),
+        has_body ? replay::Body::known : replay::Body::unknown,
+        smooth_ ? recording::Smoothing::within_noise : recording::Smoothing::none);
   } else if (scene.motion.recording_file) {
     require_nothing_computed(scene.motion.recording_file->file);
     scene.motion.recording_file = with_options(*scene.motion.recording_file);

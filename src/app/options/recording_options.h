@@ -52,6 +52,7 @@ class RecordingOptions {
   CLI::App* command_ = nullptr;  ///< Null if the command has no such options.
   std::string file_;
   ExtractOptions extract_;
+  bool smooth_ = false;
   ConventionOptions convention_;
 };
 

@@ -367,7 +367,9 @@ std::vector<scene::Scene> SceneOptions::scenes() const {
   for (const scene::Scene& scene : scenes) {
     for (const std::string& note : scene::mesh_notes(scene)) warn(note, as_json);
     if (const auto& recording = scene.motion.recording) {
-      for (const std::string& note : recording->notes) warn(note, as_json);
+      for (const std::string& note : recording->notes) {
+        warn(with_arguments(note, option_text), as_json);
+      }
     }
     if (scene.body.inertia && !is_given) {
       warn_of_unreal_moments(scene.name, *scene.body.inertia, as_json);
