@@ -13,6 +13,7 @@
 #include "picture/compose/element.h"
 #include "picture/compose/label_painter.h"
 #include "picture/compose/layout.h"
+#include "picture/hud/angle_panel.h"
 #include "picture/hud/caption.h"
 #include "picture/hud/component_panel.h"
 #include "picture/hud/curve_panel.h"
@@ -163,6 +164,7 @@ void Renderer::Parts::add_panels(const scene::Scene& scene,
   using enum scene::Feature;
   add_plot(std::in_place_type<picture::ComponentPanel>, layout.components, components);
   add_plot(std::in_place_type<picture::CurvePanel>, layout.curve, curve);
+  add_plot(std::in_place_type<picture::AnglePanel>, layout.angle, curve);
   add_plot(std::in_place_type<picture::TiltPanel>, layout.tilt, tilt);
   add_plot(std::in_place_type<picture::MomentsPanel>, layout.moments, moments);
   add_plot(std::in_place_type<picture::TorqueGauge>, layout.torques, torques);

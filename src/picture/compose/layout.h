@@ -60,6 +60,8 @@ struct Layout {
   std::array<std::optional<Pane>, scene::insets.size()> insets;
   /// The nine components, and the one that shows whether the body turns over, large.
   std::optional<image::Area> components, curve;
+  /// In a comparison of methods, the angles between the motions, beside the curve.
+  std::optional<image::Area> angle;
   /// The title, with the method below it or, in a comparison, the time on the right.
   std::optional<image::Area> title;
   /// The sentences that describe a view without the body.

@@ -66,6 +66,7 @@ class LayoutDraft {
   void place_block();
   void place_in_line();
   void place_strips();
+  void place_angle();
   void place_description(const image::Area& area);
   void place_insets(image::Area area, bool vertical, const std::vector<Inset>& insets);
   void place_inset(std::size_t part, image::Area cell);

@@ -11,11 +11,12 @@ namespace {
 constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
 constexpr double strip_aspect = 4.75;      // of nine in a row
 constexpr double curve_aspect = 1.9;
-constexpr double least_stretch = 0.85;     // of a plot beside squares
-constexpr double most_stretch = 1.5;       // of a plot
-constexpr double most_insets = 0.65;       // of a long picture
-constexpr double column_width = 0.27;      // of the picture's width
-constexpr double block_height = 0.27;      // of the picture's height
+constexpr double least_angle_width = 14, least_angle_height = 5;  // em of the captions
+constexpr double least_stretch = 0.85;                            // of a plot beside squares
+constexpr double most_stretch = 1.5;                              // of a plot
+constexpr double most_insets = 0.65;                              // of a long picture
+constexpr double column_width = 0.27;                             // of the picture's width
+constexpr double block_height = 0.27;                             // of the picture's height
 constexpr double most_strip = 0.28;        // of the height of the panes of a comparison
 constexpr int least_pair = 80;             // px, the side of each of two squares in a row
 constexpr int least_column = 150;          // px
@@ -205,6 +206,17 @@ void LayoutDraft::place_strips() {
   };
   if (parts_[curve_part]) layout_.curve = strip(portrait ? 2.6 : 7.5);
   if (parts_[components_part]) layout_.components = strip(portrait ? 1.6 : 5);
+  if (layout_.curve && !overlay_.compare.empty()) place_angle();
+}
+
+/// Divides the area of the curve, if both halves are large enough.
+void LayoutDraft::place_angle() {
+  image::Area rest = *layout_.curve;
+  const image::Area half = cut_right(rest, (rest.width - gap_) / 2, gap_);
+  const double size = layout_.text.caption;
+  if (half.width < least_angle_width * size || half.height < least_angle_height * size) return;
+  layout_.curve = rest;
+  layout_.angle = half;
 }
 
 void LayoutDraft::place_description(const image::Area& area) {

@@ -19,19 +19,13 @@ namespace {
 
 using Point = canvas::Canvas::Point;
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double greatest_tilt = std::numbers::pi;
-constexpr double faint_future = 0.5, grid_opacity = 0.22;
+constexpr double faint_future = 0.5;
 constexpr double dash_em = 0.55;      // length of a dash, and of the gap between two
-constexpr double scale_em = 2.6;      // width of the scale's numbers
-constexpr double plot_line_em = 1.5;  // height of a line of text
 constexpr double value_em = 1.3;      // size of the current value
 constexpr double least_value = 20;    // its least size in px, in a picture of 1080
 constexpr double tick_em = 0.7;       // height of a mark's tick
 constexpr double least_gap_em = 0.5;  // between two marks
-
-/// Tilts below this one, in rad, are only round-off.
-constexpr double round_off = 1e-9 * degree;
 
 /// Returns the bottom of the scale in rad: a power of ten in degrees, below the least tilt of the
 /// film.
@@ -39,9 +33,9 @@ double bottom_of(const motion::Tilt& tilt, const std::vector<motion::Sample>& wh
   double least = degree;
   for (const motion::Sample& sample : whole) {
     const double value = tilt.of(sample);
-    if (value > round_off) least = std::min(least, value);
+    if (value > angle_round_off) least = std::min(least, value);
   }
-  return degree * std::pow(10, std::floor(std::log10(least / degree) + 1e-9));
+  return decade_below(least);
 }
 
 /// The linearised motion predicts the tilt of a rigid body. Of others, only the axis is named.
@@ -60,7 +54,7 @@ std::string prediction_of(const motion::FreeBody& body, const motion::Tilt& tilt
 /// Round-off does not change the text from frame to frame: it is rounded up where it lies half way
 /// between two.
 std::string degrees_text(double tilt) {
-  if (tilt < round_off) return "0°";
+  if (tilt < angle_round_off) return "0°";
   const double value = tilt / degree * (1 + 1e-9);
   if (value < 1e-3) return hud_text::error(value) + "°";
   return fmt::format("{:.{}f}°", value, value < 0.1 ? 3 : value < 1 ? 2 : value < 10 ? 1 : 0);
@@ -79,7 +73,7 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
       value_size_(std::max(value_em * size_,
                            least_value / 1080 * std::min(scene.film.width, scene.film.height))),
       thickness_(std::max(1.0, 0.12 * size_)),
-      least_(bottom_of(tilt_, solutions[0].whole)) {
+      scale_{bottom_of(tilt_, solutions[0].whole), greatest_tilt, {}, size_} {
   const image::Area area = panel_content(*layout.tilt, size_);
   place_plot(area);
   future_ = layer_around(*layout.tilt, 0, {0, 0, scene.film.width, scene.film.height});
@@ -90,8 +84,9 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
   future.text(name, size_, {static_cast<double>(area.x), value_.y}, {colors.text});
   const std::string prediction = prediction_of(solutions[0].body, tilt_, scene.language);
   future.text(canvas::typeset_within(typeface.regular, prediction, area.width / size_), size_,
-              {static_cast<double>(area.x), value_.y + plot_line_em * size_}, {colors.dim});
-  draw_scale(future, typeface);
+              {static_cast<double>(area.x), value_.y + AngleScale::line_height * size_},
+              {colors.dim});
+  scale_.draw(future, typeface.regular, colors);
   past_ = future_;
   canvas::Canvas past(past_.image, past_.x, past_.y);
   std::vector<Point> points;
@@ -108,36 +103,16 @@ TiltPanel::TiltPanel(const scene::Scene& scene, const std::vector<timeline::Solu
 }
 
 void TiltPanel::place_plot(const image::Area& area) {
-  const int left = area.x + static_cast<int>(scale_em * size_);
-  const int top = area.y + static_cast<int>(2.5 * plot_line_em * size_);
+  const int left = area.x + static_cast<int>(AngleScale::number_width * size_);
+  const int top = area.y + static_cast<int>(2.5 * AngleScale::line_height * size_);
   const int margin = static_cast<int>(0.5 * size_);
-  plot_ = {left, top, area.x + area.width - left - margin, area.y + area.height - top - margin};
+  scale_.plot = {left, top, area.x + area.width - left - margin,
+                 area.y + area.height - top - margin};
   value_ = {static_cast<double>(area.x + area.width - margin), area.y + 0.95 * size_};
 }
 
 Point TiltPanel::place(double time, double tilt) const {
-  const double height = std::log(greatest_tilt / std::clamp(tilt, least_, greatest_tilt)) /
-                        std::log(greatest_tilt / least_);
-  return {plot_.x + time / duration_ * plot_.width, plot_.y + height * plot_.height};
-}
-
-/// Draws a line and a number for each decade, as far as there is room, and for 180 degrees.
-void TiltPanel::draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typeface) const {
-  const auto line = [&](double tilt, const std::string& text) {
-    const double y = std::round(place(0, tilt).y);
-    canvas.rectangle(plot_.x, y, plot_.width, 1, {colors_.dim, grid_opacity});
-    canvas.text(canvas::typeset(typeface.regular, text), size_,
-                {plot_.x - 0.4 * size_, y + 0.35 * size_}, {colors_.dim},
-                canvas::Canvas::Align::right);
-  };
-  line(greatest_tilt, "180°");
-  const auto decades = static_cast<int>(std::lround(std::log10(10 * degree / least_)));
-  const double apart = place(0, degree).y - place(0, 10 * degree).y;
-  const int every = std::max(1, static_cast<int>(std::ceil(1.2 * size_ / apart)));
-  for (int i = 0; i <= decades; i += every) {
-    const double value = std::pow(10, 1 - i);
-    line(value * degree, i < 4 ? fmt::format("{}°", value) : hud_text::power_of_ten(1 - i) + "°");
-  }
+  return {scale_.plot.x + time / duration_ * scale_.plot.width, scale_.y(tilt)};
 }
 
 /// Returns the times at which the tilt first reaches its value at the start, or the bottom of the
@@ -146,7 +121,7 @@ std::vector<TiltPanel::Mark> TiltPanel::marks_of(const std::vector<motion::Sampl
                                                  double factor) const {
   std::vector<Mark> marks;
   const auto value = [&](const motion::Sample& sample) {
-    return std::max(tilt_.from_start(sample), least_);
+    return std::max(tilt_.from_start(sample), scale_.least);
   };
   double level = factor * value(whole.front());
   for (std::size_t i = 1; i < whole.size(); ++i) {
@@ -169,7 +144,7 @@ bool TiltPanel::are_dense(const std::vector<Mark>& marks) const {
 /// Draws the marks up to a time: ticks on the time axis and dots on the curve. The last one has the
 /// factor beside it.
 void TiltPanel::draw_marks(canvas::Canvas& canvas, double until) const {
-  const double bottom = plot_.y + plot_.height;
+  const double bottom = scale_.plot.y + scale_.plot.height;
   const auto end = std::ranges::upper_bound(marks_, until, {}, &Mark::time);
   for (const auto& [time, tilt] : std::span(marks_.begin(), end)) {
     const Point at = place(time, tilt);
@@ -190,7 +165,7 @@ void TiltPanel::draw_prediction(canvas::Canvas& canvas, double opacity) const {
   const auto leaves = [&](double tilt) {
     return std::log(tilt / growth->amplitude) / growth->rate;
   };
-  const double from = std::max(0.0, leaves(least_)),
+  const double from = std::max(0.0, leaves(scale_.least)),
                to = std::min(leaves(greatest_tilt), duration_);
   if (!(from < to)) return;
   const auto at = [&](double time) {
@@ -215,10 +190,10 @@ std::vector<Layer> TiltPanel::draw(const timeline::FrameState& state) {
   const double tilt = tilt_.from_start(sample);
   const Point now = place(std::clamp(sample.t, 0.0, duration_), tilt);
   const int margin = static_cast<int>(std::ceil(thickness_));  // of the curve beyond the plot
-  const int left = plot_.x - margin;
+  const int left = scale_.plot.x - margin;
   copy_area(past_, layer,
-            {left, plot_.y - margin, static_cast<int>(std::lround(now.x)) - left,
-             plot_.height + 2 * margin});
+            {left, scale_.plot.y - margin, static_cast<int>(std::lround(now.x)) - left,
+             scale_.plot.height + 2 * margin});
   canvas::Canvas canvas(layer.image, layer.x, layer.y);
   draw_marks(canvas, sample.t);
   canvas.disc(now, 2 * thickness_, {colors_.text});

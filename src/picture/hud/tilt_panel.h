@@ -7,6 +7,7 @@
 #include "canvas/canvas.h"
 #include "picture/compose/element.h"
 #include "picture/compose/layout.h"
+#include "picture/hud/angle_scale.h"
 #include "picture/look/theme.h"
 
 namespace twrench::picture {
@@ -37,7 +38,6 @@ class TiltPanel : public Element {
 
  private:
   void place_plot(const image::Area& area);
-  void draw_scale(canvas::Canvas& canvas, const canvas::Typeface& typeface) const;
   void draw_prediction(canvas::Canvas& canvas, double opacity) const;
   std::vector<Mark> marks_of(const std::vector<motion::Sample>& whole, double factor) const;
   bool are_dense(const std::vector<Mark>& marks) const;
@@ -46,14 +46,13 @@ class TiltPanel : public Element {
   const OverlayColors& colors_;
   const canvas::Typeface& typeface_;
   motion::Tilt tilt_;
-  double duration_;              ///< Duration of the motion in s.
-  double size_;                  ///< Size of the text in px.
-  double value_size_;            ///< Size of the current value in px.
-  double thickness_;             ///< Thickness of the curve in px.
-  double least_;                 ///< Tilt at the bottom of the plot, in rad.
+  double duration_;    ///< Duration of the motion in s.
+  double size_;        ///< Size of the text in px.
+  double value_size_;  ///< Size of the current value in px.
+  double thickness_;   ///< Thickness of the curve in px.
+  AngleScale scale_;
   canvas::Canvas::Point value_;  ///< Position of the text of the current value.
-  image::Area plot_;
-  double factor_ = 2;  ///< The growth from one mark to the next.
+  double factor_ = 2;            ///< The growth from one mark to the next.
   std::vector<Mark> marks_;
   Layer future_;
   Layer past_;

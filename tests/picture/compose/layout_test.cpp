@@ -43,7 +43,7 @@ std::vector<image::Area> words_and_insets(const Layout& layout, scene::View view
   std::vector<image::Area> areas = layout.legends;
   for (const auto& area :
        {layout.title, layout.readouts, layout.description, layout.components, layout.curve,
-        layout.forces, layout.tilt, layout.moments, layout.torques}) {
+        layout.angle, layout.forces, layout.tilt, layout.moments, layout.torques}) {
     if (area) areas.push_back(*area);
   }
   for (const auto& pane : layout.insets) {
