@@ -196,6 +196,17 @@ std::optional<Image> decode_plain_png(std::span<const std::uint8_t> file) {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
+/// Returns how many bytes are missing at least at the end of a file whose chunks are cut short. The
+/// sizes of later chunks are not known.
+std::size_t missing_bytes(ByteSpan file) {
+  for (std::size_t at = signature.size();;) {
+    std::size_t end = at + around_data;
+    if (end <= file.size()) end += png_number(file, at);
+    if (end > file.size()) return end - file.size();
+    at = end;
+  }
+}
+
 /// The maximum size of inflated texts, colour profiles and the like, which libspng keeps while it
 /// decodes.
 constexpr std::size_t max_metadata_mebibytes = 64;
@@ -205,8 +216,6 @@ std::string explanation(int code) {
     case SPNG_EIHDR_SIZE:
     case SPNG_ENOIHDR:
       return "it has no header of a PNG image";
-    case SPNG_IO_EOF:
-      return "it is truncated";
     case SPNG_EUSER_WIDTH:
     case SPNG_EUSER_HEIGHT:
       return fmt::format("it is too large: a side has more than {} pixels", max_image_side);
@@ -222,19 +231,6 @@ std::string explanation(int code) {
     default:
       return fmt::format("it is damaged ({})", spng_strerror(code));
   }
-}
-
-int error_of(ChunkState state) {
-  switch (state) {
-    case ChunkState::whole:
-      return SPNG_OK;
-    case ChunkState::no_png:
-    case ChunkState::cut_short:
-      return SPNG_IO_EOF;
-    case ChunkState::wrong_checksum:
-      break;
-  }
-  return SPNG_ECHUNK_CRC;
 }
 
 /// The pieces of compressed data in a file whose chunks are known to be whole.
@@ -275,7 +271,7 @@ class Decoder {
  public:
   Decoder(ByteSpan file, const std::string& name) : file_(file), what_("cannot read " + name) {
     if (!context_) throw std::bad_alloc();
-    require_png(file, name);
+    require_whole_png(file, name);
     constexpr std::size_t max_metadata = max_metadata_mebibytes << 20U;
     check(spng_set_image_limits(context_.get(), max_image_side, max_image_side));
     check(spng_set_chunk_limits(context_.get(), max_metadata, max_metadata));
@@ -324,7 +320,7 @@ class Decoder {
         1032;  // deflate: 258 bytes of 2 bits (RFC 1951, 3.2.5)
     std::size_t size = 0;
     check(spng_decoded_image_size(context_.get(), SPNG_FMT_RAW, &size));
-    if (size > most_from_a_byte * file_.size()) check(SPNG_IO_EOF);
+    if (size > most_from_a_byte * file_.size()) check(SPNG_EIDAT_TOO_SHORT);
   }
 
   struct Free {
@@ -396,8 +392,19 @@ void require_png(std::span<const std::uint8_t> bytes, const std::string& name) {
 
 void require_whole_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   require_png(bytes, name);
-  const int error = error_of(check_chunks(bytes));
-  if (error != SPNG_OK) throw system::FileError("cannot read " + name, explanation(error));
+  const std::string what = "cannot read " + name;
+  switch (check_chunks(bytes)) {
+    case ChunkState::whole:
+      return;
+    case ChunkState::no_png:  // because the signature itself is cut off
+    case ChunkState::cut_short:
+      throw system::FileError(what,
+                              fmt::format("it is cut off: at least {} bytes are missing at its end",
+                                          missing_bytes(bytes)));
+    case ChunkState::wrong_checksum:
+      break;
+  }
+  throw system::FileError(what, explanation(SPNG_ECHUNK_CRC));
 }
 
 Image read_png(const std::filesystem::path& path) {

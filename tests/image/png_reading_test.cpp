@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -353,7 +354,20 @@ TEST(PngReading, RefusesASizeBeyondTheLargest) {
 TEST(PngReading, RefusesAChunkThatIsLongerThanTheFile) {
   auto longer = encode_png(sample_image(4, 4, 3, 4));
   longer[33] = 0x3f;  // the length of the chunk after the header: a gigabyte
-  EXPECT_THAT(failure(longer), HasSubstr("truncated"));
+  EXPECT_THAT(failure(longer), HasSubstr("cut off: at least 1056964596 bytes are missing"));
+}
+
+TEST(PngReading, SaysHowMuchOfACutFileIsMissing) {
+  const auto whole = encode_png(sample_image(4, 4, 3, 4));
+  const auto deep = PngFile(4, 4, 16, rgb).with(Bytes(4 * 25));
+  for (const Bytes& file : {whole, deep}) {
+    for (std::ptrdiff_t missing = 1; missing < std::ssize(file); ++missing) {
+      const Bytes cut{file.begin(), file.end() - missing};
+      EXPECT_THAT(failure(cut), HasSubstr("it is cut off: at least ")) << missing;
+      if (missing > 12) continue;  // those of the last chunk
+      EXPECT_THAT(failure(cut), HasSubstr(fmt::format("at least {} bytes are missing", missing)));
+    }
+  }
 }
 
 TEST(PngReading, RefusesAWrongChecksumOfAnyChunk) {
