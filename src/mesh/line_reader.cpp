@@ -30,6 +30,7 @@ std::string shown(std::string_view text) {
 LineReader::LineReader(std::string name, std::string_view text)
     : name_(std::move(name)),
       line_end_(text.find('\n') == std::string_view::npos ? '\r' : '\n'),
+      is_last_line_open_(!text.ends_with(line_end_)),
       rest_(text) {}
 
 bool LineReader::next() {
@@ -81,6 +82,11 @@ double LineReader::number() {
   }
   if (error == std::errc() && std::isfinite(value)) return value;
   throw InvalidArgument(place(), fmt::format("{} is not a finite number", shown(text)));
+}
+
+std::string LineReader::note_on_end() const {
+  if (!rest_.empty() || !is_last_line_open_) return {};
+  return "; the file ends in this line, so it is probably cut off";
 }
 
 std::string LineReader::place(std::size_t line_number) const {

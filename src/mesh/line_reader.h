@@ -41,13 +41,18 @@ class LineReader {
   std::size_t line_number() const { return line_number_; }
 
   /// Returns the error for a line that violates its format.
-  system::FileError bad(const std::string& why) const { return {place(), why}; }
+  system::FileError bad(const std::string& why) const { return {place(), why + note_on_end()}; }
+
+  /// Returns the end of a message about the current line: that the file is probably cut off if the
+  /// line is its last one and has no line end, and nothing otherwise.
+  std::string note_on_end() const;
 
  private:
   bool is_continuation(std::size_t index) const;
 
   std::string name_;
   char line_end_;
+  bool is_last_line_open_;
   std::string_view rest_;
   /// The unread part of the current line or statement.
   std::string_view line_;

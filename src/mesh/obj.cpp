@@ -51,7 +51,8 @@ class ObjReader {
       ring_.push_back(index_of(word));
     }
     if (ring_.size() < 3) {
-      throw InvalidArgument(lines_.place(), "a face has three corners at least");
+      throw InvalidArgument(lines_.place(),
+                            "a face has three corners at least" + lines_.note_on_end());
     }
     polygons_.add(ring_, mesh_);
   }

@@ -130,7 +130,7 @@ PlyHeader read_ply_header(LineReader& lines) {
       throw lines.bad(fmt::format("{} is no keyword of a PLY header", shown(keyword)));
     }
   }
-  throw lines.bad("the file is cut off: its header does not end");
+  throw system::FileError(lines.place(), "the file is cut off: its header does not end");
 }
 
 system::FileError cut_off(const std::string& name, const std::string& why) {
@@ -140,6 +140,12 @@ system::FileError cut_off(const std::string& name, const std::string& why) {
 /// Reads the numbers that follow the header, one by one.
 class PlyNumbers {
  public:
+  /// An item of an element.
+  struct Item {
+    const PlyElement* element;
+    std::uint64_t index;
+  };
+
   PlyNumbers(std::string name, PlyHeader::Format format, LineReader lines)
       : name_(std::move(name)), format_(format), lines_(std::move(lines)), bytes_(lines_.rest()) {}
 
@@ -154,22 +160,31 @@ class PlyNumbers {
     return lines_.rest().find_first_not_of(" \t\r\n") != std::string_view::npos;
   }
 
-  /// Advances to the next item, which in a text file is the next line.
-  void begin_item() {
-    if (!is_text()) return;
-    if (!lines_.next()) throw cut_off(name_, "lines are missing at its end");
+  /// Advances to an item of an element, which in a text file is the next line.
+  void begin_item(const PlyElement& element, std::uint64_t index) {
+    item_ = {&element, index};
+    if (is_text() && !lines_.next()) throw missing_items();
   }
+
+  /// Returns the item that is being read.
+  const Item& item() const { return item_; }
 
   double next(PlyType type) {
     if (is_text()) return lines_.number();
     const std::size_t size = size_of(type);
-    if (bytes_.size() < size) throw cut_off(name_, "numbers are missing at its end");
+    if (bytes_.size() < size) throw missing_items();
     const double value = binary(type);
     bytes_.remove_prefix(size);
     return value;
   }
 
  private:
+  system::FileError missing_items() const {
+    const PlyElement& element = *item_.element;
+    return cut_off(name_, fmt::format("{} of {} '{}' are missing", element.count - item_.index,
+                                      element.count, element.name));
+  }
+
   double binary(PlyType type) const {
     const std::endian order =
         format_ == PlyHeader::Format::big_endian ? std::endian::big : std::endian::little;
@@ -198,6 +213,7 @@ class PlyNumbers {
   PlyHeader::Format format_;
   LineReader lines_;
   std::string_view bytes_;
+  Item item_{};  ///< The item that is being read.
 };
 
 /// Returns the number of full intensity in a colour of the type.
@@ -299,7 +315,7 @@ class PlyReader {
 
   void skip(const PlyElement& element) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      numbers_.begin_item();
+      numbers_.begin_item(element, i);
       for (const PlyProperty& property : element.properties) skip_property(property);
     }
   }
@@ -322,7 +338,7 @@ class PlyReader {
     std::array<double, 6> values{};
     mesh_.vertices.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      numbers_.begin_item();
+      numbers_.begin_item(element, i);
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         if (const auto& slot = layout.slots[p]) {
           values[slot->index] = numbers_.next(element.properties[p].type) / slot->unit;
@@ -349,8 +365,8 @@ class PlyReader {
 
   /// Reads the lists of vertices of an element with `read_list`.
   void read_corners(const PlyElement& element, void (PlyReader::*read_list)(const PlyProperty&)) {
-    for (item_ = {&element, 0}; item_.index < element.count; ++item_.index) {
-      numbers_.begin_item();
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      numbers_.begin_item(element, i);
       for (const PlyProperty& property : element.properties) {
         const bool has_corners = property.count_type && (property.name == "vertex_indices" ||
                                                          property.name == "vertex_index");
@@ -399,14 +415,8 @@ class PlyReader {
 
   /// Returns the place of the item for messages: "a.ply: face 7".
   std::string item_place() const {
-    return fmt::format("{}: {} {}", name_, item_.element->name, item_.index);
+    return fmt::format("{}: {} {}", name_, numbers_.item().element->name, numbers_.item().index);
   }
-
-  /// An item of an element that consists of triangles.
-  struct Item {
-    const PlyElement* element;
-    std::uint64_t index;
-  };
 
   std::string name_;
   LineReader lines_;
@@ -414,7 +424,6 @@ class PlyReader {
   PlyNumbers numbers_;
   std::uint64_t vertex_count_ = 0;
   body::TriangleMesh mesh_;
-  Item item_{};  ///< The item that is being read.
   std::vector<std::uint32_t> ring_;
   Polygons polygons_;
 };

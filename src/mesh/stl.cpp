@@ -226,7 +226,8 @@ Content read_stl(const Source& source) {
   if (is_binary_stl(bytes)) return read_binary(source, plain_record);
   if (is_text(bytes) && has_lines(bytes)) return TextReader(source).read();
   if (bytes.size() < header_bytes) {
-    throw system::FileError(what, fmt::format("{} bytes are no STL file", bytes.size()));
+    throw system::FileError(what, fmt::format("{} bytes are no STL file, whose header alone has {}",
+                                              bytes.size(), header_bytes));
   }
   if (is_text(bytes)) {
     throw system::FileError(what, "it begins as a text STL, but no line begins with 'facet'",
@@ -239,11 +240,18 @@ Content read_stl(const Source& source) {
   if (bytes.size() > expected_bytes(bytes) && triangle_count(bytes) > 0) {
     return read_longer_binary(source);
   }
-  throw system::FileError(
-      what,
-      fmt::format("it is {}: {} triangles take {} bytes, but it has {}",
-                  bytes.size() < expected_bytes(bytes) ? "cut off" : "no STL file, or damaged",
-                  triangle_count(bytes), expected_bytes(bytes), bytes.size()));
+  if (bytes.size() < expected_bytes(bytes)) {
+    const std::uint64_t whole = (bytes.size() - header_bytes) / triangle_bytes;
+    throw system::FileError(
+        what, fmt::format("it is cut off: {} of {} triangles are missing, because it has {} bytes "
+                          "of {}",
+                          triangle_count(bytes) - whole, triangle_count(bytes), bytes.size(),
+                          expected_bytes(bytes)));
+  }
+  throw system::FileError(what,
+                          fmt::format("it is no STL file, or damaged: {} triangles take {} bytes, "
+                                      "but it has {}",
+                                      triangle_count(bytes), expected_bytes(bytes), bytes.size()));
 }
 
 }  // namespace twrench::mesh

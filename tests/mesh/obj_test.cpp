@@ -108,6 +108,11 @@ TEST(Obj, OfABadLineIsRefusedWithItsPlace) {
     EXPECT_THAT(refusal(good + line + "\n", "a.obj"), testing::StartsWith(message));
   }
   EXPECT_EQ(refusal(good, "a.obj"), "2 a.obj: it has no triangles");
+  for (const char* cut : {"v 1 2", "v 1 2 -", "f", "f 1 2"}) {
+    EXPECT_THAT(refusal(good + cut, "a.obj"),
+                testing::HasSubstr("the file ends in this line, so it is probably cut off"));
+    EXPECT_THAT(refusal(good + cut + "\n", "a.obj"), testing::Not(testing::HasSubstr("cut off")));
+  }
   EXPECT_EQ(refusal("", "a.obj"), "5 cannot read a.obj: it is empty");
 }
 

@@ -162,6 +162,21 @@ TEST(Ply, ThatIsBadIsRefused) {
   EXPECT_THAT(refusal("ply\nformat ascii 1.0\nend_header\n", "a.ply"), HasSubstr("no triangles"));
 }
 
+TEST(Ply, ThatIsCutOffNamesWhatIsMissing) {
+  const std::string text = ply("ascii"), binary = ply("binary_little_endian");
+  constexpr std::size_t face = 1 + 3 * 4 + 4;  // bytes
+  const auto refused = [](const std::string& whole, std::size_t size) {
+    return refusal(whole.substr(0, size), "a.ply");
+  };
+  const std::string cut = "5 cannot read a.ply: it is cut off: ";
+  EXPECT_EQ(refused(binary, binary.size() - 1), cut + "1 of 12 'face' are missing");
+  EXPECT_EQ(refused(binary, binary.size() - 2 * face - 1), cut + "3 of 12 'face' are missing");
+  const std::size_t last_line = text.rfind('\n', text.size() - 2) + 1;
+  EXPECT_EQ(refused(text, last_line), cut + "1 of 12 'face' are missing");
+  EXPECT_THAT(refused(text, last_line + 3), HasSubstr("so it is probably cut off"));
+  EXPECT_THAT(refused(text, 20), HasSubstr("its header does not end"));
+}
+
 TEST(Ply, OfABinaryCoordinateThatIsNotFiniteIsRefused) {
   std::string bytes = ply("binary_little_endian");
   std::string nan;

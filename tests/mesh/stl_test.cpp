@@ -41,13 +41,18 @@ TEST(Stl, TextIsTheSame) {
 TEST(Stl, ThatIsCutOffIsRefused) {
   const std::string whole = binary_stl(unit_cube, "solid cube");
   EXPECT_EQ(refusal(whole.substr(0, 300), "a.stl"),
-            "5 cannot read a.stl: it is cut off: 12 triangles take 684 bytes, but it has 300");
+            "5 cannot read a.stl: it is cut off: 8 of 12 triangles are missing, because it has 300 "
+            "bytes of 684");
   EXPECT_THAT(refusal(whole.substr(0, 50), "a.stl"), HasSubstr("50 bytes are no STL file"));
   const std::string text = text_stl(unit_cube);
   EXPECT_EQ(refusal(text.substr(0, text.find("endsolid")), "a.stl"),
             "5 cannot read a.stl: it is cut off: it ends after 12 triangles without 'endsolid'");
   EXPECT_THAT(refusal(text.substr(0, text.rfind("vertex")), "a.stl"),
               HasSubstr("cut off: it ends after 11 triangles"));
+  for (const char* word : {"vertex 1", "loop", "facet"}) {
+    const std::size_t within = text.rfind(word) + std::string_view(word).size() - 1;
+    EXPECT_THAT(refusal(text.substr(0, within), "a.stl"), HasSubstr("cut off")) << within;
+  }
 }
 
 TEST(Stl, WithoutTrianglesIsRefused) {
@@ -151,8 +156,8 @@ TEST(Stl, ThatClaimsFourGigabytesIsRefused) {
   std::string bytes = binary_stl(unit_cube);
   bytes.replace(80, 4, "\xff\xff\xff\xff");
   EXPECT_EQ(refusal(bytes, "a.stl"),
-            "5 cannot read a.stl: it is cut off: 4294967295 triangles take 214748364834 bytes, but "
-            "it has 684");
+            "5 cannot read a.stl: it is cut off: 4294967283 of 4294967295 triangles are missing, "
+            "because it has 684 bytes of 214748364834");
 }
 
 TEST(Stl, OfBadNumbersIsRefusedWithTheirPlace) {
