@@ -246,20 +246,24 @@ TEST(Recording, NamesTheReadingOfColumnsWithoutNamesThatFits) {
 
 // Without the moments, neither attitudes nor angular momenta determine rates.
 TEST(Recording, SaysWhatIsMissingForAFitOfTheMoments) {
-  const auto error = [](const std::string& text) -> std::string {
+  std::string remedy;
+  const auto error = [&](const std::string& text) -> std::string {
     try {
       choose_rates(Recording(table::open_table("run.csv", std::string_view(text))), {});
     } catch (const InvalidArgument& error) {
-      EXPECT_EQ(error.remedy(), "give the moments by " + argument("inertia", "A,B,C") +
-                                    ", or the columns of such rates by " +
-                                    argument("columns", "wx=NAME,wy=NAME,wz=NAME"));
+      remedy = error.remedy();
       return error.what();
     }
     return "it chose";
   };
+  const std::string moments = "give the moments by " + argument("inertia", "A,B,C");
   const auto line = [](const char* names) { return fmt::format("t,{}\n0,1,0,0,0\n", names); };
   EXPECT_THAT(error(line("qw,qx,qy,qz")), testing::HasSubstr("and it has attitudes alone"));
+  EXPECT_EQ(remedy, moments + "; or fit them to the rates that the attitudes give: export with " +
+                        argument("motion", "run.csv") + " writes these to a .csv file");
   EXPECT_THAT(error(line("lx,ly,lz,q")), testing::HasSubstr("and it has angular momenta"));
+  EXPECT_EQ(remedy, moments + ", or the columns of such rates by " +
+                        argument("columns", "wx=NAME,wy=NAME,wz=NAME"));
   EXPECT_EQ(error(line("wx,wy,wz,q")), "it chose");
   const std::string in_space = "t,omega_world_x,omega_world_y,omega_world_z,qw,qx,qy,qz\n";
   EXPECT_THAT(error(in_space + "0,1,0,0,1,0,0,0\n"), testing::HasSubstr("in the axes of space"));

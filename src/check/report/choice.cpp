@@ -237,13 +237,20 @@ std::vector<Convention> open_conventions(const recording::Recording& recording,
 
 /// The error that moments cannot be fitted to what these columns contain.
 InvalidArgument no_rates_to_fit(const std::string& file, const Convention& convention) {
-  const char* found = has_momentum(convention) ? "it has angular momenta, which determine no rates"
-                      : has_rates(convention)  ? "it has rates in the axes of space"
-                                               : "it has attitudes alone";
-  return {
-      file, fmt::format("the moments are fitted to rates about the body's axes, and {}", found),
-      fmt::format("give the moments by {}, or the columns of such rates by {}",
-                  argument("inertia", "A,B,C"), argument("columns", "wx=NAME,wy=NAME,wz=NAME"))};
+  const std::string why = "the moments are fitted to rates about the body's axes, and it has ";
+  const std::string moments = "give the moments by " + argument("inertia", "A,B,C");
+  if (!has_rates(convention)) {
+    return {
+        file, why + "attitudes alone",
+        fmt::format("{}; or fit them to the rates that the attitudes give: export with {} writes "
+                    "these to a .csv file",
+                    moments, argument("motion", file))};
+  }
+  return {file,
+          why + (has_momentum(convention) ? "angular momenta, which determine no rates"
+                                          : "rates in the axes of space"),
+          fmt::format("{}, or the columns of such rates by {}", moments,
+                      argument("columns", "wx=NAME,wy=NAME,wz=NAME"))};
 }
 
 }  // namespace
