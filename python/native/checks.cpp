@@ -30,6 +30,7 @@
 #include "scene/interior.h"
 #include "scene/limits.h"
 #include "scene/natural_times.h"
+#include "scene/recording_table.h"
 #include "system/file.h"
 #include "table/reader.h"
 
@@ -128,7 +129,7 @@ void show_recording(scene::Scene& scene, const Source& source, const Given& give
 void show_own_recording(scene::Scene& scene) {
   const py::gil_scoped_release others_run;
   on_scene([&] {
-    replay::show_own_recording(scene);
+    scene::propose_keys([&] { replay::show_own_recording(scene); });
     scene::set_natural_times(scene);
     scene::check_shown_motion(scene);
   });

@@ -1,9 +1,14 @@
 #include "scene/recording_table.h"
 
+#include <fmt/format.h>
 #include <twrench/base/error.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "base/words.h"
+#include "recording/columns/columns.h"
 #include "scene/fields.h"
 #include "scene/keys.h"
 #include "scene/limits.h"
@@ -12,6 +17,11 @@ namespace twrench::scene {
 namespace {
 
 using nlohmann::ordered_json;
+
+/// Returns what is wrong with the quantity of an error.
+std::string why_of(const InvalidArgument& error) {
+  return std::string(error.what()).substr(error.quantity().size() + 2);
+}
 
 void set_field(const recording::Field& field, recording::Convention& convention,
                const ordered_json& value, const std::string& what) {
@@ -33,6 +43,37 @@ double time_in(const ordered_json& keys, const std::string& key, double otherwis
   return limits::check(limits::coordinate, name_of(key), keys.at(key).get<double>());
 }
 
+/// Returns a value as a string of TOML.
+std::string in_toml(std::string_view value) { return ordered_json(value).dump(); }
+
+/// Returns how a scene file gives an argument. Arguments that are no keys remain mentions.
+std::string as_key(std::string_view name, std::string_view value) {
+  const std::vector<Key>& keys = recording_keys();
+  const auto key = std::ranges::find(keys, name, &Key::name);
+  if (key == keys.end()) return argument(name, value);
+  if (key->form.kind == ValueForm::Kind::flag) return fmt::format("{} = true", name);
+  if (value.empty()) return fmt::format("the key {}", name);
+  if (key->form.kind == ValueForm::Kind::text) return fmt::format("{} = {}", name, in_toml(value));
+  return fmt::format("{} = [{}]", name, value);
+}
+
+constexpr const char* in_scene = " in [motion] of the scene";
+
+std::string remedy_by_keys(const Error& error) {
+  const std::string remedy = with_arguments(error.remedy(), as_key);
+  return remedy == error.remedy() ? remedy : remedy + "," + in_scene;
+}
+
+std::string remedy_by_keys(const recording::ColumnError& error) {
+  if (!error.suggested().empty()) {
+    return "if they are meant, add " + as_key("columns", error.suggested()) + in_scene;
+  }
+  const std::string& ours = error.column();
+  const std::string all = "t=NAME,wx=NAME,wy=NAME,wz=NAME";
+  return fmt::format("{}{} names {}; {}", as_key("columns", ours.empty() ? all : ours + "=NAME"),
+                     in_scene, ours.empty() ? "them" : "it", error.remedy());
+}
+
 }  // namespace
 
 recording::Convention convention_of(const ordered_json& keys, const NameOfKey& name_of) {
@@ -43,8 +84,7 @@ recording::Convention convention_of(const ordered_json& keys, const NameOfKey& n
     try {
       set_field(field, convention, *found, name_of(field.name));
     } catch (const InvalidArgument& error) {
-      const std::string why = std::string(error.what()).substr(error.quantity().size() + 2);
-      throw InvalidArgument(name_of(field.name), why, error.remedy());
+      throw InvalidArgument(name_of(field.name), why_of(error), error.remedy());
     }
   }
   return convention;
@@ -85,6 +125,17 @@ std::shared_ptr<const RecordingFile> read_recording_file(TomlTable& motion,
   }
   return std::make_shared<const RecordingFile>(recording_file(
       keys, files.path_of(file), [&](const std::string& key) { return motion.place(key); }));
+}
+
+void propose_keys(const std::function<void()>& show) try {
+  show();
+} catch (const recording::ColumnError& error) {
+  throw InvalidArgument(error.quantity(), with_arguments(why_of(error), as_key),
+                        remedy_by_keys(error));
+} catch (const InvalidArgument& error) {
+  const std::string remedy = remedy_by_keys(error);
+  if (remedy == error.remedy()) throw;
+  throw InvalidArgument(error.quantity(), with_arguments(why_of(error), as_key), remedy);
 }
 
 void require_computed(const Scene& scene, const std::string& what) {

@@ -29,6 +29,10 @@ RecordingFile recording_file(const nlohmann::ordered_json& keys, const std::file
 /// InvalidArgument.
 std::shared_ptr<const RecordingFile> read_recording_file(TomlTable& motion, const MeshFiles& files);
 
+/// Calls `show`, which reads the recording that a scene names. Its errors propose the keys of the
+/// scene for what they mention as arguments, such as the columns.
+void propose_keys(const std::function<void()>& show);
+
 /// Throws InvalidArgument if the scene file names a recorded motion. `what` names a result that is
 /// computed, such as "a study".
 void require_computed(const Scene& scene, const std::string& what);

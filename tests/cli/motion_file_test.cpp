@@ -290,6 +290,25 @@ TEST_F(OwnRecording, ThatCannotBePlayedIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "f"));
 }
 
+// Its author can write a key; a user of the option --motion cannot.
+TEST_F(OwnRecording, ThatIsReadInSeveralWaysProposesKeysOfItsScene) {
+  const auto remedy = [&](const char* columns) {
+    std::ofstream(folder_ / "scenes/run.csv") << columns << "\n0,0.1,0.2,0.3\n1,0.2,0.3,0.4\n";
+    return run("simulate scenes/toss.toml").err;
+  };
+  EXPECT_THAT(
+      remedy("t,yaw,pitch,roll"),
+      testing::ContainsRegex("say which: sequence = \"zyx\"; or sequence = .*, in \\[motion] of "
+                             "the scene\n$"));
+  EXPECT_THAT(remedy("t,a,b,c"),
+              HasSubstr("\n  columns = \"t=NAME,wx=NAME,wy=NAME,wz=NAME\" in [motion] of the scene "
+                        "names them; its columns are: t, a, b, c\n"));
+  EXPECT_THAT(remedy("t,wx,wy,q"),
+              HasSubstr("\n  columns = \"wz=NAME\" in [motion] of the scene "));
+  EXPECT_THAT(run("simulate --inertia 2,3,4.5 --motion scenes/run.csv").err,
+              HasSubstr("\n  --columns wz=NAME names it; "));
+}
+
 /// No free motion of a rigid body can be compared with it.
 TEST_F(OwnRecording, OfABodyWithAWheelIsShownWithoutAFreeMotion) {
   write_scene("wheel = [0, 0, 5]\n");

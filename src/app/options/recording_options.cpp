@@ -109,7 +109,7 @@ void RecordingOptions::apply(scene::Scene& scene, bool has_body) const {
   } else if (scene.motion.recording_file) {
     require_nothing_computed(scene.motion.recording_file->file);
     scene.motion.recording_file = with_options(*scene.motion.recording_file);
-    replay::show_own_recording(scene);
+    scene::propose_keys([&] { replay::show_own_recording(scene); });
   } else {
     require_recorded();
   }
