@@ -133,6 +133,15 @@ class _Value(Generic[T]):
         scene._drawer = None
 
 
+class _OfComputedMotion(_Value[T]):
+    """A value that computes the motion; a scene that shows a recording refuses it."""
+
+    def __set__(self, scene: Scene, value: T) -> None:
+        if scene._native.shows_recording:
+            raise _error_of_recorded(self.key)
+        super().__set__(scene, value)
+
+
 class _Attitude(_Value[Optional[tuple[float, float, float, float]]]):
     """The quaternion of X(0). It can be set in any form that :func:`twrench.simulate` accepts."""
 
@@ -231,11 +240,11 @@ class Scene:
 
     title = _Value[str]()
     language = _Value[str]()
-    omega = _Value[Vector]()
+    omega = _OfComputedMotion[Vector]()
     attitude = _Attitude("attitude")
     wheel = _Wheel()
     energy_loss_time = _EnergyLossTime()
-    method = _Value[MethodName]()
+    method = _OfComputedMotion[MethodName]()
     step = _Value[float]()
     tolerance = _Value[float]()
     duration = _Value[float]()
@@ -929,13 +938,17 @@ def _matplotlib_figure(make: Any, scene: Scene, overlay: bool) -> Any:
     return figure
 
 
+def _error_of_recorded(key: str) -> SceneError:
+    return SceneError(
+        f"{key}: the motion of the scene is recorded",
+        "leave it out; compare=['exact'] shows the free motion beside it",
+    )
+
+
 def _require_nothing_computed(values: dict[str, Any]) -> None:
     for key in ("omega", "method"):
         if key in values:
-            raise SceneError(
-                f"{key}: the motion of the scene is recorded",
-                "leave it out; compare=['exact'] shows the free motion beside it",
-            )
+            raise _error_of_recorded(key)
 
 
 def _require_no_mesh_values(name: str, of_mesh: dict[str, Any]) -> None:

@@ -133,6 +133,11 @@ def test_a_recording_excludes_what_computes_a_motion(toss, value):
     for make in (lambda: Scene(toss, **value), lambda: Scene(body=BODY, motion=recorded(), **value)):
         with pytest.raises(UsageError, match=f"^{next(iter(value))}: the motion of the scene is recorded"):
             make()
+    for scene in (Scene(toss), Scene(body=BODY, motion=recorded())):
+        before = scene.to_dict()
+        with pytest.raises(UsageError, match=f"^{next(iter(value))}: the motion of the scene is recorded"):
+            setattr(scene, *next(iter(value.items())))
+        assert scene.to_dict() == before
 
 
 def test_results_of_a_recording_that_a_file_names_are_refused(toss, tmp_path):
