@@ -90,6 +90,7 @@ def test_the_commands_of_a_page_run(page, tmp_path, template):
     write_stl(tmp_path / "bracket.stl")
     write_sound(tmp_path / "music.wav", 1)
     shutil.copy(PROJECT / "examples/robot/arm.urdf", tmp_path)
+    shutil.copytree(PROJECT / "examples/toss", tmp_path / "examples/toss")
     commands = sessions(page)
     assert len(commands) > 5
     for command, shown in commands:
@@ -134,6 +135,7 @@ def test_the_commands_of_other_pages_run(page, tmp_path, template):
     commands = re.findall(r"^    (twrench .*)$", text, re.M)
     assert len(commands) > 1
     shutil.copy(PROJECT / "examples/robot/arm.urdf", tmp_path)
+    shutil.copytree(PROJECT / "examples/toss", tmp_path / "examples/toss")
     samples = "simulate tennis-racket --method exact --times 0,1,2 -o run.csv"
     for command in [f"twrench {samples}", *commands]:
         words = shlex.split(command, comments=True)
