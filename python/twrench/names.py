@@ -63,7 +63,7 @@ UnitName = Literal["mm", "cm", "m", "inch", "km"]
 ContainerName = Literal["mp4", "mov", "mkv", "webm", "gif", "webp"]
 EffortName = Literal["fast", "balanced", "small"]
 BackendName = Literal["auto", "osmesa", "egl"]
-ExportFormat = Literal["glb", "aem", "csv", "json", "npz"]
+ExportFormat = Literal["glb", "py", "aem", "csv", "json", "npz"]
 
 #: Numbers in Python's or NumPy's types. Unlike NumPy's ``ArrayLike`` it excludes text.
 Numbers = Union[Sequence[float], NDArray[np.floating[Any]], NDArray[np.integer[Any]]]

@@ -701,12 +701,13 @@ class Scene:
     ) -> Path:
         """Writes the motion for other programs, as ``twrench export`` does.
 
-        :param path: the file: .glb is an animated model in glTF 2.0, .aem a CCSDS attitude
-            ephemeris message, .csv, .json and .npz are samples as ``twrench simulate`` writes them.
-        :param format: glb, aem, csv, json or npz; None to choose it by the ending of ``path``.
-        :param max_angle: for .glb, bound for the angle between the animation and the exact motion at
+        :param path: the file: .glb is an animated model in glTF 2.0, .py a script that animates an
+            object in Blender, .aem a CCSDS attitude ephemeris message, .csv, .json and .npz are samples
+            as ``twrench simulate`` writes them.
+        :param format: glb, py, aem, csv, json or npz; None to choose it by the ending of ``path``.
+        :param max_angle: for .glb and .py, bound for the angle between the animation and the exact motion at
             any time, rad.
-        :param speed: for .glb, seconds of motion per second of the animation; None for 1, or for the
+        :param speed: for .glb and .py, seconds of motion per second of the animation; None for 1, or for the
             speed of the film if real time is too fast or too slow.
         :param epoch: for .aem, date and time of t = 0, TAI.
         :param overwrite: replace an existing file that twrench did not write, or that is of another kind.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests files with the programs of others that read them: what twrench exports with Khronos' glTF
-# validator, three.js and, if it is installed, Blender; GitHub's workflows with actionlint; CITATION.cff
+# validator, three.js and, if it is installed, Blender, also its scripts for Blender; GitHub's workflows with actionlint; CITATION.cff
 # with Citation.js.
 set -euo pipefail
 
@@ -41,8 +41,18 @@ export_and_check rest 1e-4 1 20 --omega 0,0,0
 node "$at/validate.mjs" "$out/camera.glb"
 
 if command -v blender >/dev/null; then
-  blender --background --python-exit-code 1 --python "$at/blender_test.py" -- "$out/dzhanibekov.glb" 1e-4 96 |
-    grep --line-regexp --fixed-strings --invert-match 'Blender quit'
+  # play_in_blender FILE BOUND DURATION option of simulate ...
+  play_in_blender() {
+    blender --background --python-exit-code 1 --python "$at/blender_test.py" -- "$@" |
+      grep --line-regexp --fixed-strings --invert-match 'Blender quit'
+  }
+  play_in_blender "$out/dzhanibekov.glb" 1e-4 96 --method exact
+  "$TWRENCH" export -o "$out/dzhanibekov.py"
+  play_in_blender "$out/dzhanibekov.py" 1e-4 96 --method exact
+  "$TWRENCH" export stable-y --fps 30000/1001 --max-angle 1e-5 --duration 30 -o "$out/fine.py"
+  play_in_blender "$out/fine.py" 1e-5 30 stable-y --method exact
+  "$TWRENCH" export examples/toss/toss.toml -o "$out/toss.py"
+  play_in_blender "$out/toss.py" 1e-4 1.2 examples/toss/toss.toml
 else
-  say "blender is not installed: its importer is not tested"
+  say "blender is not installed: its importer and the scripts for it are not tested"
 fi

@@ -123,7 +123,7 @@ docs     | Sphinx's theme Furo           | furo
 distros  | debootstrap                   | debootstrap
 interchange | Node.js                    | nodejs
 interchange | npm                        | npm
-interchange | Blender, to import glTF    | blender                   | its importer is not tested
+interchange | Blender, to open exports      | blender                   | it is not tested with them
 page     | Clang, for WebAssembly        | clang-19 clang-22 clang-21 clang-20 clang-18
 page     | its linker                    | lld-19 lld-22 lld-21 lld-20 lld-18
 page     | its libc++                    | libc++-19-dev-wasm32 libc++-22-dev-wasm32 libc++-21-dev-wasm32 libc++-20-dev-wasm32 libc++-18-dev-wasm32

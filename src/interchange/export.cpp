@@ -11,6 +11,7 @@
 
 #include "base/words.h"
 #include "interchange/aem.h"
+#include "interchange/blender.h"
 #include "interchange/gltf_scene.h"
 #include "scene/shown_recording.h"
 
@@ -41,17 +42,27 @@ double animation_speed(const ExportOptions& options, const scene::Scene& scene) 
   return speed >= slowest && speed <= fastest ? 1 : speed;
 }
 
-std::vector<std::string> write_gltf(const ExportOptions& options, const scene::Scene& scene,
-                                    const Write& write) {
+/// Throws InvalidArgument if the motion has gaps.
+AnimationOptions animation_of(const ExportOptions& options, const scene::Scene& scene) {
   if (const auto& recording = scene.motion.recording; recording && recording->motion.has_gaps()) {
     throw InvalidArgument(recording->file, "it has gaps, across which no animation can interpolate",
                           fmt::format("leave them out by {} and {}, or write .csv",
                                       argument("from"), argument("to")));
   }
-  const AnimationOptions animation{.max_angle = options.max_angle,
-                                   .speed = animation_speed(options, scene)};
+  return {.max_angle = options.max_angle, .speed = animation_speed(options, scene)};
+}
+
+std::vector<std::string> write_gltf(const ExportOptions& options, const scene::Scene& scene,
+                                    const Write& write) {
+  const AnimationOptions animation = animation_of(options, scene);
   gltf_scene(scene, animation, program).write_glb(write);
   return notes_on_clocks(scene, animation);
+}
+
+std::vector<std::string> write_blender(const ExportOptions& options, const scene::Scene& scene,
+                                       const Write& write) {
+  write_blender_script(scene, animation_of(options, scene), program, write);
+  return {};
 }
 
 std::vector<std::string> write_attitude_ephemeris(const ExportOptions& options,
@@ -67,8 +78,9 @@ std::vector<std::string> notes_of(std::string note) {
   return {std::move(note)};
 }
 
-constexpr std::array<ExportFormat, 5> formats{
+constexpr std::array<ExportFormat, 6> formats{
     {{"glb", "glTF 2.0, an animated model", write_gltf},
+     {"py", "Python script that animates an object in Blender", write_blender},
      {"aem", "CCSDS attitude ephemeris message", write_attitude_ephemeris},
      {"csv", "as simulate writes it",
       [](const ExportOptions&, const scene::Scene& scene, const Write& write) {

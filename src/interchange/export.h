@@ -15,8 +15,8 @@ namespace twrench::interchange {
 
 /// Options of an export to other programs.
 struct ExportOptions {
-  /// Bound in rad for the angle between the animation of .glb, at any instant, and the exact
-  /// motion.
+  /// Bound in rad for the angle between the animation of .glb or .py, at any instant, and the
+  /// exact motion.
   double max_angle = 1e-4;
   /// Seconds of motion per second of that animation. If not given it is 1, or the film's speed if
   /// the motion is too fast or too slow to be watched.
@@ -27,7 +27,7 @@ struct ExportOptions {
 
 /// The allowed values of ExportOptions::max_angle.
 inline constexpr scene::limits::Limit max_angle_limit{least_max_angle, scene::limits::huge,
-                                                      "the limit of glTF's float32 numbers"};
+                                                      "the limit of float32 numbers"};
 
 /// An export format, which system::exported_motion has under the same name.
 struct ExportFormat {

@@ -51,14 +51,15 @@ float rounded_up(double time) {
   return nearest < time ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
 }
 
-void require_representable(float from, float to, double length, double max_angle) {
+void require_representable(float from, float to, double length, double max_angle,
+                           std::string_view unit) {
   if (from < to) return;
   const double spacing = to - std::nextafter(to, 0.0F);
   throw AccuracyError(
       "export",
-      fmt::format("at {:.6g} s the times of glTF, which are float32 numbers, are {:.2g} s "
-                  "apart, but only keys {:.2g} s apart keep within {:.2g} rad",
-                  to, spacing, length, max_angle));
+      fmt::format("at {:.6g} {} the times of keys, which are float32 numbers, are {:.2g} {} "
+                  "apart, but only keys {:.2g} {} apart keep within {:.2g} rad",
+                  to, unit, spacing, unit, length, unit, max_angle));
 }
 
 }  // namespace
@@ -66,7 +67,8 @@ void require_representable(float from, float to, double length, double max_angle
 // Goes from the end to the start, because float32 times are coarsest at the end: if the bound
 // cannot be kept there, this is found at once.
 std::vector<float> key_times(double end, double max_angle,
-                             const std::function<RateBounds(double begin, double end)>& bounds) {
+                             const std::function<RateBounds(double begin, double end)>& bounds,
+                             std::string_view unit) {
   if (!(max_angle >= least_max_angle)) {
     throw OutOfRange("max_angle",
                      fmt::format("is {} rad, but must be at least {}: keys are float32 numbers",
@@ -87,12 +89,12 @@ std::vector<float> key_times(double end, double max_angle,
     }
     length = longest_interval(rates, allowed, length);
     const float from = rounded_up(to - length);
-    require_representable(from, to, length, max_angle);
+    require_representable(from, to, length, max_angle, unit);
     times.push_back(from);
     if (times.size() > most_keys) {
       throw AccuracyError("export", fmt::format("more than {} keys would be needed to keep within "
-                                                "{:.2g} rad for {:.6g} s",
-                                                most_keys, max_angle, end));
+                                                "{:.2g} rad for {:.6g} {}",
+                                                most_keys, max_angle, end, unit));
     }
   }
   std::ranges::reverse(times);

@@ -17,7 +17,8 @@ struct RateBounds {
 };
 
 /// The exact motion, or a recorded one, at the speed at which an animation plays it. Times are
-/// those of the animation, in s from its start.
+/// those of the animation from its start, in s or in another unit, such as frames; "s of the
+/// animation" below means that unit.
 class PlayedMotion {
  public:
   /// `speed`: seconds of motion per second of the animation; `end`: its duration in s. If `stop`,

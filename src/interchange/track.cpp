@@ -17,10 +17,12 @@ void append_rotation(Track& track, const Quaterniond& q) {
 
 }  // namespace
 
-Track attitude_track(const PlayedMotion& motion, double end, double max_angle) {
+Track attitude_track(const PlayedMotion& motion, double end, double max_angle,
+                     std::string_view unit) {
   Track track;
-  track.times = key_times(end, max_angle,
-                          [&](double from, double to) { return motion.attitude_rates(from, to); });
+  track.times = key_times(
+      end, max_angle, [&](double from, double to) { return motion.attitude_rates(from, to); },
+      unit);
   Quaterniond last = Quaterniond::Identity();
   for (const float time : track.times) {
     Quaterniond q(motion.at(time).X);

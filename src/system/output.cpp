@@ -32,8 +32,11 @@ constexpr std::array saved_motion_formats{motion_formats[0], motion_formats[2]};
 
 constexpr std::array exported_motion_formats{
     OutputFormat{"glb", {".glb"}, "glTF", "\"generator\":\"twrench ", true},
+    OutputFormat{"py", {".py"}, "# Written by twrench ", "as an animation for Blender"},
     OutputFormat{"aem", {".aem"}, "CCSDS_AEM_VERS = ", "COMMENT Written by twrench "},
-    motion_formats[0], motion_formats[1], motion_formats[2]};
+    motion_formats[0],
+    motion_formats[1],
+    motion_formats[2]};
 
 constexpr std::array inertia_formats{
     OutputFormat{"text", {".txt"}, "", "\nprincipal axes as columns, in body axes\n"},

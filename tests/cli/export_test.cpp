@@ -12,6 +12,7 @@ using testing::StartsWith;
 TEST(Export, WritesWhatItsEndingSays) {
   const ScratchFolder folder;
   for (const auto& [name, head] : {std::pair("a.glb", "glTF\2"),
+                                   {"a.py", "# Written by twrench "},
                                    {"a.aem", "CCSDS_AEM_VERS = 1.0\n"},
                                    {"a.csv", "t,x11,"},
                                    {"a.json", "{\n \"scene\""}}) {
@@ -37,7 +38,7 @@ TEST(Export, IsToTheByteWhatSimulateWrites) {
 // The bound is against the exact motion, which these formats contain.
 TEST(Export, HasTheExactMotionWhateverTheMethod) {
   const ScratchFolder folder;
-  for (const std::string name : {"a.glb", "a.aem"}) {
+  for (const std::string name : {"a.glb", "a.py", "a.aem"}) {
     ASSERT_EQ(run_twrench(folder, "export --duration 3 -o " + name).code, 0);
     const std::string before = text_of(folder / name);
     ASSERT_EQ(run_twrench(folder, "export --duration 3 --method euler -o " + name).code, 0);
@@ -61,13 +62,18 @@ TEST(Export, RefusesWhatItCannotKeep) {
     EXPECT_THAT(run.err, StartsWith("twrench: error: "));
     EXPECT_THAT(run.err, HasSubstr(message));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.glb")) << options;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.py")) << options;
   };
   expect_refused("-o a.glb --duration 1e9", 2, "only keys ");
   expect_refused("-o a.glb --duration 1e9", 2,
                  "take a larger --max-angle, or a shorter --duration");
+  expect_refused("-o a.py --duration 1e9 --speed 1", 2, "but Blender has at most 1048574");
+  expect_refused("-o a.py --inertia 1,2,3 --omega 1e6,1e6,1e3 --speed 1 --duration 1000", 2,
+                 "at 60000 frames the times of keys");
+  expect_refused("-o a.py --fps 1e-9", 2, "its frame rate is 1e-09 per second");
   expect_refused("-o a.glb --max-angle 1e-7", 2,
                  "--max-angle: is 1e-07, but must be at least 1e-06");
-  expect_refused("-o a.fbx", 2, "its name must end in .glb, .aem, .csv, .json or .npz");
+  expect_refused("-o a.fbx", 2, "its name must end in .glb, .py, .aem, .csv, .json or .npz");
   expect_refused("-o -", 2, "--format: is needed for standard output");
   expect_refused("-o a.aem --epoch 2026-02-30T00:00:00", 2, "--epoch: is 2026-02-30T00:00:00");
   expect_refused("-o /dev/full --format glb", 5, "No space left on device");

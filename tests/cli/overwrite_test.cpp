@@ -40,6 +40,7 @@ std::vector<Writing> writings() {
           {"schema -o x.json", {"x.json"}},
           {"plot -o plot.pdf", {"plot.pdf"}},
           {"export --duration 1 -o e.glb", {"e.glb"}},
+          {"export --duration 1 -o e.py", {"e.py"}},
           {"export --duration 1 -o e.aem", {"e.aem"}},
           {"export --duration 1 -o e.csv", {"e.csv"}},
           {"export --duration 1 -o e.json", {"e.json"}},

@@ -159,7 +159,7 @@ def test_samples_are_those_of_the_program(program, tmp_path, name):
 
 
 def test_an_animation_and_an_ephemeris_are_those_of_the_program(program, tmp_path):
-    for ending in ("glb", "aem"):
+    for ending in ("glb", "py", "aem"):
         mine, theirs = tmp_path / f"mine.{ending}", tmp_path / f"theirs.{ending}"
         Scene("stable-y").export(mine, max_angle=1e-3, epoch="2026-02-03T04:05:06")
         options = ["--max-angle", 1e-3, "--epoch", "2026-02-03T04:05:06"]

@@ -413,7 +413,7 @@ const std::map<std::string, Values>& known() {
       {"shell", numbers({"0.1"}, {"1e-9"})},
       {"inertia/format", words({"text", "json", "junit"})},
       {"simulate/format", words({"csv", "json", "npz"})},
-      {"export/format", words({"glb", "aem", "csv", "json", "npz"})},
+      {"export/format", words({"glb", "py", "aem", "csv", "json", "npz"})},
       {"max-angle", numbers({"1e-4", "1e-3"}, {"1e-6", "9e-7", "10"})},
       {"epoch", words({"2026-01-01T00:00:00", "9999-12-31T23:59:59", "0001-01-01T00:00:00"})},
       {"study/format", words({"text", "csv", "json"})},

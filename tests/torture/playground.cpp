@@ -256,9 +256,9 @@ void run_there(const fs::path& folder, std::vector<std::string> command) {
 /// Creates a file of another program under each ending of an output, with a link to it, and those
 /// that the program itself writes.
 void put_old_outputs(const fs::path& folder, const fs::path& twrench) {
-  for (const char* ending :
-       {".aem", ".csv", ".gif", ".glb", ".htm", ".html", ".json", ".md",   ".mkv",  ".mov", ".mp4",
-        ".npz", ".pdf", ".png", ".svg", ".txt", ".urdf", ".vtt",  ".webm", ".webp", ".xml"}) {
+  for (const char* ending : {".aem", ".csv",  ".gif", ".glb",  ".htm",  ".html", ".json", ".md",
+                             ".mkv", ".mov",  ".mp4", ".npz",  ".pdf",  ".png",  ".py",   ".svg",
+                             ".txt", ".urdf", ".vtt", ".webm", ".webp", ".xml"}) {
     const std::string notes = std::string("notes") + ending;
     put(folder / notes, "my notes\n");
     fs::create_symlink(notes, folder / ("to_" + notes));
@@ -295,7 +295,7 @@ const std::vector<Writing>& writings() {
       {{"study", "sound.toml", "--methods", "rk4", "--steps", "0.1"}, {".txt", ".csv", ".json"}},
       {{"cases"}, {".txt", ".csv", ".json"}},
       {{"schema"}, {".json"}},
-      {{"export", "sound.toml"}, {".glb", ".aem"}},
+      {{"export", "sound.toml"}, {".glb", ".py", ".aem"}},
       {{"plot", "sound.toml"}, {".svg", ".pdf", ".png"}}};
   return all;
 }

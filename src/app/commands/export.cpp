@@ -59,8 +59,8 @@ void export_motion(const ExportOptions& options) {
 std::string export_footer() {
   std::string text = about_defaults;
   text +=
-      "Files .glb and .aem have the exact motion, whatever the method. Rows are 1/fps apart or,\n"
-      "without --fps, as near to each other as the motion needs.\n"
+      "Files .glb, .py and .aem have the exact motion, whatever the method. Rows are 1/fps apart\n"
+      "or, without --fps, as near to each other as the motion needs.\n"
       "Formats, by the ending of the file:\n";
   for (const interchange::ExportFormat& format : interchange::export_formats()) {
     text += fmt::format("  .{:<5} {}\n", format.name, format.what);
@@ -71,14 +71,15 @@ std::string export_footer() {
 void add_export_options(CLI::App& command, ExportOptions& options) {
   command
       .add_option("--max-angle", options.max_angle,
-                  "bound for the angle between the animation of .glb, at any instant, and the "
-                  "exact motion, rad")
+                  "bound for the angle between the animation of .glb or .py, at any instant, and "
+                  "the exact motion, rad")
       ->type_name("RAD")
       ->capture_default_str()
       ->group(heading(OptionGroup::film));
   command.remove_option(command.get_option("--speed"));  // which is the film's
   command
-      .add_option("--speed", options.speed, "seconds of motion per second of the animation of .glb")
+      .add_option("--speed", options.speed,
+                  "seconds of motion per second of the animation of .glb or .py")
       ->type_name("F")
       ->default_str("1; that of the film if it is below 0.01 or above 100")
       ->group(heading(OptionGroup::film));
@@ -92,7 +93,7 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
 
 void add_export(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "export", "Write the motion for other programs: glTF, CCSDS, CSV, JSON, NumPy");
+      "export", "Write the motion for other programs: glTF, Blender, CCSDS, CSV, JSON, NumPy");
   command->footer(export_footer());
   const auto options = std::make_shared<ExportOptions>(*command);
   add_export_options(*command, *options);
