@@ -151,6 +151,17 @@ def test_the_notebook_of_the_check(tmp_path, monkeypatch):
     assert names["right"].finding == "exact" and names["right"].passes
 
 
+def test_the_notebook_of_a_toss(tmp_path, monkeypatch):
+    names = names_after("toss.ipynb", tmp_path, monkeypatch)
+    assert names["found"].finding == "noise"
+    errors = np.abs(names["found"].inertia.moments - names["box"])
+    assert np.all(errors <= 3 * names["found"].inertia.deviations) and errors.max() < 0.01
+    theirs = np.loadtxt(PROJECT / "examples/toss/toss.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(np.loadtxt("toss.csv", delimiter=",", skiprows=1), theirs, rtol=0, atol=2e-6)
+    assert "momentum" in names["scene"].show, "the recording follows a free motion"
+    assert names["scene"].picture(0.84).png.startswith(b"\x89PNG")
+
+
 @pytest.mark.parametrize("name", sorted(path.name for path in NOTEBOOKS.iterdir()))
 def test_a_notebook_as_a_page(name, tmp_path, monkeypatch):
     """Runs a notebook in a kernel. Each scene, plot and film at the end of a cell is shown."""
@@ -166,7 +177,9 @@ def test_a_notebook_as_a_page(name, tmp_path, monkeypatch):
     shown = [output.data for cell in notebook.cells for output in cell.get("outputs", [])
              if output.output_type in ("execute_result", "display_data")]  # fmt: skip
     page, _ = nbconvert.HTMLExporter().from_notebook_node(notebook)
-    pictures = {"effect.ipynb": 2, "integrators.ipynb": 1, "check_your_simulator.ipynb": 0}[name]
+    pictures = {
+        "effect.ipynb": 2, "integrators.ipynb": 1, "check_your_simulator.ipynb": 0, "toss.ipynb": 2,
+    }[name]  # fmt: skip
     assert sum("image/png" in data for data in shown) == pictures
     assert page.count('src="data:image/png;base64,') >= pictures - ("<iframe" in page)
     if name == "effect.ipynb":
