@@ -142,7 +142,8 @@ bool is_number(std::string_view text) {
 std::string argument_text(std::string_view name, std::string_view value) {
   if (value.empty()) return std::string(name) + (name == "fit" || name == "inverse" ? "=True" : "");
   if (name == "inertia") return fmt::format("body=Body(moments={})", list(value));
-  std::string text = std::string(name) + '=';
+  const bool is_time = name == "from" || name == "to";  // "from" is a keyword of Python
+  std::string text = std::string(name) + (is_time ? "_time=" : "=");
   if (name == "columns") return text + dictionary(value);
   if (name == "offset") return text + list(value);
   if (is_number(value)) return text.append(value);

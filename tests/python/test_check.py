@@ -276,6 +276,37 @@ def test_a_part_of_the_rows_is_judged():
         twrench.check(columns_of(numbers), BODY, from_time=30.0, to_time=40.0)
 
 
+def test_the_flight_of_a_toss_is_found():
+    """Between the hand, which starts and stops the rotation, and within the noise."""
+    sides = np.array([7.2, 15.0, 0.8])
+    moments = np.sum(sides**2) - sides**2
+    ratios = np.sort(moments) / min(moments)
+    t = np.arange(520) / 200
+    hand = np.clip(np.minimum(t / 0.8, (2.6 - t) / 0.6), 0, 1)
+    wrong = []
+    for seed in range(20):
+        random = np.random.default_rng(seed)
+        start = [random.uniform(6, 10), random.uniform(0.2, 0.5), random.uniform(-0.4, 0.4)]
+        omega = twrench.exact(twrench.Body(moments=moments), start).at(np.clip(t - 0.8, 0, 1.2)).omega
+        noisy = omega * hand[:, None] + random.normal(0, 0.02, omega.shape)
+        toss = {"t": t, "wx": noisy[:, 0], "wy": noisy[:, 1], "wz": noisy[:, 2]}
+        for range_of in ({}, {"from_time": 0.7}):
+            try:
+                text = twrench.check(toss, fit="inertia", **range_of).verdict
+            except twrench.Error as error:
+                text = str(error)
+            named = re.search(r"within their noise: from_time=([\d.]+) to_time=([\d.]+)", text)
+            begin, end = map(float, named.groups()) if named else (0.0, 0.0)
+            is_right = begin > 0.75 and end < 2.05 and end - begin > 0.9
+            if is_right:
+                found = twrench.check(toss, fit="inertia", from_time=begin, to_time=end)
+                errors = np.abs(found.inertia.moments - ratios)
+                is_right = found.finding == "noise" and np.all(errors <= 4 * found.inertia.deviations + 1e-4)
+            if not is_right:
+                wrong.append((seed, text))
+    assert len(wrong) <= 1, wrong
+
+
 def test_the_inertia_is_fitted_to_the_rates():
     found = twrench.check(columns_of(rows(200)), fit="inertia")
     assert found.passes, found.verdict

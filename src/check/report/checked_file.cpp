@@ -11,6 +11,7 @@
 #include "check/report/choice.h"
 #include "check/verdict/error.h"
 #include "check/verdict/fit.h"
+#include "check/verdict/free_flight.h"
 #include "check/verdict/stop.h"
 #include "recording/columns/unread_columns.h"
 #include "recording/row_reader.h"
@@ -96,23 +97,75 @@ std::string why_no_order(const std::vector<CheckedFile>& files, bool has_steps) 
   return {};
 }
 
-/// The inertia matrix that fits the rates. Throws CheckError if they do not determine it.
-FittedInertia inertia_of(const recording::Recording& recording, const Convention& given,
-                         const std::atomic<bool>* stop) {
+/// Evenly spread rows with their rates.
+recording::ThinnedRows spread_rows(const recording::Recording& recording, const Convention& given,
+                                   const std::atomic<bool>* stop) {
   recording::ThinnedRows thinned(most_fitted_rows);
   recording::RowReader reader = recording.rows(choose_rates(recording, given));
   for (recording::Row row; reader.next(row);) {
     throw_if_stopped(stop);
     thinned.add(row);
   }
-  return fit_inertia(recording.name(), thinned.rows(), stop);
+  return thinned;
+}
+
+/// The inertia matrix that fits the rates. Throws CheckError if they do not determine it.
+FittedInertia inertia_of(const recording::Recording& recording, const Convention& given,
+                         const std::atomic<bool>* stop) {
+  return fit_inertia(recording.name(), spread_rows(recording, given, stop).rows(), stop);
+}
+
+bool follows_free_motion(const CheckedFile& file) {
+  const Finding finding = verdict(file).finding;
+  return finding == Finding::exact || finding == Finding::noise;
+}
+
+/// The part of the recording, whatever part of it is checked, that follows a free motion within its
+/// noise; the moments are fitted to it.
+std::optional<recording::Extract> free_rows(const recording::Recording& recording,
+                                            const Convention& given, Problem problem) try {
+  const recording::ThinnedRows all = spread_rows(recording.between({}), given, problem.stop);
+  std::optional<recording::Extract> part = free_flight(all.rows());
+  if (!part) return std::nullopt;
+  problem.fit = true;
+  constexpr int most_trials = 3;
+  constexpr double shrinking = 0.03;  // at either end
+  for (int i = 0; i < most_trials; ++i) {
+    try {
+      const recording::Recording cut = recording.between(*part);
+      problem.inertia = inertia_of(cut, given, problem.stop).inertia;
+      const Convention convention = choose_convention(cut, given, problem);
+      if (follows_free_motion({cut.name(), judge(cut, convention, problem), {}, {}, {}, 0}))
+        return part;
+    } catch (const CheckError& error) {
+      if (error.reason() == CheckError::Reason::stopped) throw;
+    }
+    const double less = shrinking * (part->to - part->from);
+    part->from += less, part->to -= less;
+  }
+  return std::nullopt;
+} catch (const InvalidArgument&) {
+  return std::nullopt;  // rows that are not checked have no numbers
+}
+
+/// The inertia that fits the rates. Throws CheckError, which names rows that determine it, if all
+/// of them do not.
+FittedInertia inertia_or_remedy(const recording::Recording& recording, const Convention& given,
+                                const Problem& problem) try {
+  return inertia_of(recording, given, problem.stop);
+} catch (const CheckError& error) {
+  if (error.reason() != CheckError::Reason::no_inertia) throw;
+  const auto part = free_rows(recording, given, problem);
+  if (!part) throw;
+  throw CheckError(recording.name(), "no free motion that determines the moments fits all its rows",
+                   error.reason(), free_rows_text(*part));
 }
 
 CheckedFile check_file(recording::Recording recording, const Convention& given, Problem problem,
                        const Bounds& bounds) {
   std::optional<FittedInertia> inertia;
   if (problem.fits_inertia) {
-    inertia = inertia_of(recording, given, problem.stop);
+    inertia = inertia_or_remedy(recording, given, problem);
     problem.inertia = inertia->inertia;
     problem.fit = true;
   }
@@ -127,6 +180,8 @@ CheckedFile check_file(recording::Recording recording, const Convention& given, 
   if (file.judgement.rows > 1) {
     file.step = file.judgement.duration / static_cast<double>(file.judgement.rows - 1);
   }
+  if (problem.fits_inertia && !follows_free_motion(file))
+    file.free_rows = free_rows(recording, given, problem);
   return file;
 }
 

@@ -33,6 +33,9 @@ struct CheckedFile {
   /// Columns that are not read, but could be what the file lacks: rates or an attitude.
   std::vector<std::string> unread = {};
   std::optional<FittedInertia> inertia = {};  ///< that was fitted to the rates
+  /// If the rows do not follow the motion with the fitted inertia: those that follow a free motion
+  /// within their noise.
+  std::optional<recording::Extract> free_rows = {};
   std::string left_out = {};  ///< the rows at the start and the end that lack a number
 };
 
@@ -80,6 +83,9 @@ struct Verdict {
   std::string text;  ///< in one line
 };
 Verdict verdict(const CheckedFile& file);
+
+/// States that these rows follow a free motion, and the arguments that select them.
+std::string free_rows_text(const recording::Extract& rows);
 
 /// A relative change with a format of fmt such as "{:.2e}", or a remark if it is infinite.
 std::string change_text(const char* format, double change);

@@ -282,7 +282,17 @@ double degrees(double angle) { return angle * (180 / std::numbers::pi); }
 
 bool is_foreign(const Judgement& judgement) { return !judgement.misfit.fits(); }
 
-Verdict verdict(const CheckedFile& file) {
+std::string free_rows_text(const recording::Extract& rows) {
+  const std::string from = fmt::format("{:.6g}", rows.from), to = fmt::format("{:.6g}", rows.to);
+  return fmt::format(
+      "the rows from {} to {} s after the first follow a free motion within their "
+      "noise: {} {}",
+      from, to, argument("from", from), argument("to", to));
+}
+
+namespace {
+
+Verdict verdict_of_all_rows(const CheckedFile& file) {
   const Judgement& judgement = file.judgement;
   if (judgement.reference.body.omega().norm() == 0) return verdict_at_rest(file);
   const WrongLaws& laws = file.alternatives.laws;
@@ -314,6 +324,14 @@ Verdict verdict(const CheckedFile& file) {
     return {finding, contradiction_text(judgement) + "; " + of_rates};
   }
   return {Finding::integration, error_text(judgement)};
+}
+
+}  // namespace
+
+Verdict verdict(const CheckedFile& file) {
+  Verdict found = verdict_of_all_rows(file);
+  if (file.free_rows) found.text += "; " + free_rows_text(*file.free_rows);
+  return found;
 }
 
 bool passes(const CheckedFile& file) {

@@ -16,8 +16,9 @@ class CheckError : public Error {
     stopped,     ///< interrupted through Problem::stop
   };
 
-  CheckError(const std::string& what, const std::string& why, Reason reason)
-      : Error(what, why), reason_(reason) {}
+  CheckError(const std::string& what, const std::string& why, Reason reason,
+             const std::string& remedy = {})
+      : Error(what, why, remedy), reason_(reason) {}
 
   Reason reason() const noexcept { return reason_; }
 
