@@ -8,6 +8,7 @@
 
 #include "picture/compose/label_painter.h"
 #include "picture/golden.h"
+#include "picture/hud/angle_panel.h"
 #include "picture/hud/component_panel.h"
 #include "picture/hud/curve_panel.h"
 #include "picture/hud/hud.h"
@@ -89,6 +90,10 @@ image::Image drawn(
   }
   if (film.layout.curve) {
     CurvePanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
+    lay(panel.draw(state));
+  }
+  if (film.layout.angle) {
+    AnglePanel panel(film.scene, solutions, film.layout, film.typeface, film.colors);
     lay(panel.draw(state));
   }
   Hud hud(film.scene, solutions, film.layout, film.typeface, film.colors);
