@@ -16,7 +16,6 @@ namespace {
 using Point = canvas::Canvas::Point;
 
 constexpr double faint_angles = 0.32;  // opacity of the future
-constexpr double greatest_over_least = 1e5;
 
 double angle_between(const motion::Sample& from, const motion::Sample& to) {
   return so3::log(from.X.transpose() * to.X).norm();
@@ -32,19 +31,23 @@ std::size_t reference_of(const std::vector<timeline::Solution>& solutions) {
   return found == solutions.end() ? 0 : static_cast<std::size_t>(found - solutions.begin());
 }
 
-/// The scale holds the greatest angle of the film and five decades below it.
+/// The scale holds the greatest angle of each motion and at least three decades below it.
 AngleScale scale_of(const std::vector<timeline::Solution>& solutions, std::size_t reference,
                     const image::Area& plot, double size) {
-  double greatest = 10 * angle_round_off;
-  for (const timeline::Solution& solution : solutions) {
-    for (std::size_t k = 0; k < solution.whole.size(); ++k) {
+  double largest = 10 * angle_round_off, smallest = std::numbers::pi;
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    if (i == reference) continue;
+    double greatest = 10 * angle_round_off;
+    for (std::size_t k = 0; k < solutions[i].whole.size(); ++k) {
       greatest =
-          std::max(greatest, angle_between(solutions[reference].whole[k], solution.whole[k]));
+          std::max(greatest, angle_between(solutions[reference].whole[k], solutions[i].whole[k]));
     }
+    largest = std::max(largest, greatest);
+    smallest = std::min(smallest, greatest);
   }
-  const double decade = decade_below(greatest);
-  const double top = 10 * decade > std::numbers::pi / 2 ? std::numbers::pi : 10 * decade;
-  return {std::max(10 * decade / greatest_over_least, angle_round_off), top, plot, size};
+  const double top = 10 * decade_below(largest);
+  return {std::max(1e-3 * decade_below(smallest), angle_round_off),
+          top > std::numbers::pi / 2 ? std::numbers::pi : top, plot, size};
 }
 
 }  // namespace

@@ -52,9 +52,10 @@ class Figures {
               return hud_text::error(m.solutions[solution].diagnostics.orthogonality_error);
             }};
   }
-  /// The angle between the first motion and another.
+  /// The angle between the first motion, which is recorded, and another.
   Readout angle(std::size_t solution) const {
-    return {phrase({"off by", "avvik"}), "180.0°", [solution](const timeline::FrameState& m) {
+    return {phrase({"from recorded", "fra målt"}), "180.0°",
+            [solution](const timeline::FrameState& m) {
               return hud_text::degrees(m.solutions[0].sample, m.solutions[solution].sample);
             }};
   }
