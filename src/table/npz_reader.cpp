@@ -15,17 +15,25 @@ namespace {
 
 constexpr std::string_view array_suffix = ".npy";
 
+/// The bytes of the archive, read from an input that outlives it.
+archive::ZipBytes zip_bytes(const Input& input) {
+  const auto read = [&input](std::uint64_t offset, char* to, std::size_t length) {
+    return input.read(offset, to, length);
+  };
+  return {input.name(), input.size(), read, "write it again with numpy.savez, without a password"};
+}
+
 /// The name of the array in a member.
-std::string array_name(const ZipMember& member) {
+std::string array_name(const archive::ZipMember& member) {
   return member.name.substr(0, member.name.size() - array_suffix.size());
 }
 
 /// Whether numpy.savez numbered the array because it had no name.
-bool is_numbered_array(const ZipMember& member) { return member.name.starts_with("arr_"); }
+bool is_numbered_array(const archive::ZipMember& member) { return member.name.starts_with("arr_"); }
 
 }  // namespace
 
-NpzReader::NpzReader(Input input) : input_(std::move(input)), archive_(input_) {
+NpzReader::NpzReader(Input input) : input_(std::move(input)), archive_(zip_bytes(input_)) {
   header_.file = input_.name();
   read_arrays();
   name_columns();
@@ -36,7 +44,7 @@ void NpzReader::read_arrays() {
   std::vector<char> start(start_bytes);
   std::map<std::uint64_t, int> arrays_of_length;
   bool has_arrays = false;
-  for (const ZipMember& member : archive_.members()) {
+  for (const archive::ZipMember& member : archive_.members()) {
     if (!member.name.ends_with(array_suffix)) continue;
     has_arrays = true;
     const std::size_t got = archive_.open(member).read(start.data(), start.size());

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "archive/zip_archive.h"
 #include "table/npy_header.h"
 #include "table/npy_reader.h"
 #include "table/reader.h"
-#include "table/zip_archive.h"
 
 namespace twrench::table {
 
@@ -25,7 +25,7 @@ class NpzReader : public Reader {
 
  private:
   struct Array {
-    ZipMember member;
+    archive::ZipMember member;
     NpyHeader layout;
   };
 
@@ -38,7 +38,7 @@ class NpzReader : public Reader {
   struct Rows {
     std::size_t array;
     std::size_t row_bytes;
-    ZipArchive::Stream stream;
+    archive::ZipArchive::Stream stream;
     std::vector<char> buffer = {};
     std::size_t begin = 0, end = 0;  ///< the unread part of the buffer
   };
@@ -56,7 +56,7 @@ class NpzReader : public Reader {
   void advance(Rows& rows) const;
 
   Input input_;
-  ZipArchive archive_;
+  archive::ZipArchive archive_;
   std::vector<Array> arrays_;
   std::vector<Source> sources_;  ///< of each column in the header
   std::uint64_t row_count_ = 0, row_ = 0;

@@ -3,23 +3,18 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zip.h>
 
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <memory>
 #include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scratch_folder.h"
 #include "system/error.h"
 #include "table/error.h"
+#include "zip_file.h"
 
 namespace twrench::table {
 namespace {
@@ -38,27 +33,6 @@ std::string array_file(const std::string& shape, std::size_t count, bool fortran
     file.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   return file;
-}
-
-struct NamedFile {
-  std::string name, bytes;
-};
-
-/// An archive of these files, after `change` was applied to it.
-std::string archive_of(
-    const std::vector<NamedFile>& files,
-    const std::function<void(zip_t*)>& change = [](zip_t*) {}) {
-  const ScratchFolder folder;
-  const std::filesystem::path path = folder / "a.npz";
-  zip_t* archive = zip_open(path.c_str(), ZIP_CREATE, nullptr);
-  for (const NamedFile& file : files) {
-    zip_source_t* source = zip_source_buffer(archive, file.bytes.data(), file.bytes.size(), 0);
-    zip_file_add(archive, file.name.c_str(), source, 0);
-  }
-  change(archive);
-  EXPECT_EQ(zip_close(archive), 0);
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::vector<std::string> names_of_archive(const std::string& bytes) {
@@ -147,10 +121,7 @@ TEST(Npz, RefusesWhatIsCutOffOrDamaged) {
   for (const std::size_t length : {std::size_t{40}, bytes.size() / 2, bytes.size() - 1}) {
     EXPECT_THAT(refusal_of_archive(bytes.substr(0, length)), HasSubstr("cut off or damaged"));
   }
-  const auto as_stored = [](zip_t* archive) {
-    zip_set_file_compression(archive, 0, ZIP_CM_STORE, 0);
-  };
-  std::string damaged = archive_of({times, rates}, as_stored);
+  std::string damaged = archive_of({times, rates}, store);
   damaged[damaged.find("NUMPY") + 150] ^= 1;  // one of the numbers
   EXPECT_THAT(refusal_of_archive(damaged), HasSubstr("a.npz: time.npy: it cannot be unpacked"));
 }
@@ -174,9 +145,6 @@ TEST(Npz, RefusesSizesThatNoBytesCanHave) {
 }
 
 TEST(Npz, RefusesEncryptedArrays) {
-  const auto encrypt = [](zip_t* archive) {
-    zip_file_set_encryption(archive, 0, ZIP_EM_AES_256, "password");
-  };
   EXPECT_THAT(refusal_of_archive(archive_of({times, rates}, encrypt)),
               HasSubstr("a.npz: time.npy: it is encrypted"));
 }

@@ -2,13 +2,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "table/input.h"
+namespace twrench::archive {
 
-namespace twrench::table {
+/// The bytes of an archive, which are read piece by piece.
+struct ZipBytes {
+  /// The name in messages.
+  std::string name;
+  std::uint64_t size = 0;
+  /// Copies up to `length` bytes from `offset` on, and returns how many: fewer only at the end.
+  std::function<std::size_t(std::uint64_t offset, char* to, std::size_t length)> read;
+  /// What helps if the archive is damaged: "write it again with numpy.savez".
+  std::string remedy;
+};
 
 /// A file in a ZIP archive.
 struct ZipMember {
@@ -17,11 +27,11 @@ struct ZipMember {
   std::uint64_t size = 0;   ///< bytes when unpacked
 };
 
-/// A ZIP archive whose members are unpacked piece by piece. The input must outlive it.
+/// A ZIP archive whose members are unpacked piece by piece.
 class ZipArchive {
  public:
-  /// Throws system::FileError if it is cut off, damaged or too large.
-  explicit ZipArchive(const Input& input);
+  /// Throws system::FileError if it is cut off, damaged or too large, and what `bytes.read` throws.
+  explicit ZipArchive(ZipBytes bytes);
   ~ZipArchive();
   ZipArchive(ZipArchive&&) noexcept;
   ZipArchive& operator=(ZipArchive&&) noexcept;
@@ -56,4 +66,4 @@ class ZipArchive {
   std::vector<ZipMember> members_;
 };
 
-}  // namespace twrench::table
+}  // namespace twrench::archive

@@ -1,4 +1,4 @@
-#include "table/zip_archive.h"
+#include "archive/zip_archive.h"
 
 #include <fmt/format.h>
 #include <zip.h>
@@ -9,17 +9,17 @@
 
 #include "system/error.h"
 
-namespace twrench::table {
+namespace twrench::archive {
 
-/// The archive, and its place in the input that it reads.
+/// The archive, and its place in the bytes that it reads.
 struct ZipArchive::State {
-  const Input* input = nullptr;
+  ZipBytes bytes;
   std::uint64_t offset = 0;
-  std::exception_ptr failure;  ///< of the input, which may not pass through the library
+  std::exception_ptr failure;  ///< of reading the bytes, which may not pass through the library
   zip_error_t error{};
   zip_t* archive = nullptr;
 
-  State() { zip_error_init(&error); }
+  explicit State(ZipBytes read_from) : bytes(std::move(read_from)) { zip_error_init(&error); }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
@@ -30,14 +30,20 @@ struct ZipArchive::State {
   void rethrow_failure() const {
     if (failure) std::rethrow_exception(failure);
   }
+
+  /// Returns the error about the archive or, if `member` is not empty, a member of it.
+  system::FileError bad(const std::string& member, const std::string& why) const {
+    return {member.empty() ? bytes.name : fmt::format("{}: {}", bytes.name, member), why,
+            bytes.remedy};
+  }
 };
 
 struct ZipArchive::Stream::State {
   const ZipArchive::State* archive = nullptr;
-  std::string name;
+  std::string member;
   zip_file_t* file = nullptr;
 
-  State(const ZipArchive::State* in, std::string called) : archive(in), name(std::move(called)) {}
+  State(const ZipArchive::State* in, std::string name) : archive(in), member(std::move(name)) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
@@ -47,13 +53,9 @@ struct ZipArchive::Stream::State {
 
 namespace {
 
-system::FileError bad_archive(const std::string& name, const std::string& why) {
-  return {name, why, "write it again with numpy.savez"};
-}
-
-/// The libraries' interface to an input.
+/// The library's interface to the bytes.
 template <typename State>
-zip_int64_t read_input(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command) {
+zip_int64_t read_bytes(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command) {
   State& state = *static_cast<State*>(user);
   constexpr zip_int64_t failed = -1;
   // The commands of libzip's other sources are not announced by ZIP_SOURCE_SUPPORTS.
@@ -63,8 +65,8 @@ zip_int64_t read_input(void* user, void* data, zip_uint64_t length, zip_source_c
   }
   if (command == ZIP_SOURCE_READ) {
     try {
-      const std::size_t got = state.input->read(state.offset, static_cast<char*>(data),
-                                                static_cast<std::size_t>(length));
+      const std::size_t got = state.bytes.read(state.offset, static_cast<char*>(data),
+                                               static_cast<std::size_t>(length));
       state.offset += got;
       return static_cast<zip_int64_t>(got);
     } catch (...) {
@@ -76,13 +78,13 @@ zip_int64_t read_input(void* user, void* data, zip_uint64_t length, zip_source_c
   if (command == ZIP_SOURCE_STAT) {
     auto* stat = static_cast<zip_stat_t*>(data);
     zip_stat_init(stat);
-    stat->size = state.input->size();
+    stat->size = state.bytes.size;
     stat->valid = ZIP_STAT_SIZE;
     return sizeof(zip_stat_t);
   }
   if (command == ZIP_SOURCE_SEEK) {
-    const zip_int64_t offset = zip_source_seek_compute_offset(state.offset, state.input->size(),
-                                                              data, length, &state.error);
+    const zip_int64_t offset =
+        zip_source_seek_compute_offset(state.offset, state.bytes.size, data, length, &state.error);
     if (offset < 0) return failed;
     state.offset = static_cast<std::uint64_t>(offset);
     return 0;
@@ -99,25 +101,23 @@ zip_int64_t read_input(void* user, void* data, zip_uint64_t length, zip_source_c
 
 }  // namespace
 
-ZipArchive::ZipArchive(const Input& input) : state_(std::make_unique<State>()) {
-  state_->input = &input;
+ZipArchive::ZipArchive(ZipBytes bytes) : state_(std::make_unique<State>(std::move(bytes))) {
   zip_error_t error;
   zip_error_init(&error);
-  zip_source_t* source = zip_source_function_create(read_input<State>, state_.get(), &error);
+  zip_source_t* source = zip_source_function_create(read_bytes<State>, state_.get(), &error);
   if (source) state_->archive = zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error);
   const std::string why = zip_error_strerror(&error);
   zip_error_fini(&error);
   if (!state_->archive) {
     if (source) zip_source_free(source);
     state_->rethrow_failure();
-    throw bad_archive(input.name(), fmt::format("the ZIP archive is cut off or damaged ({})", why));
+    throw state_->bad({}, fmt::format("the ZIP archive is cut off or damaged ({})", why));
   }
   constexpr zip_int64_t most_members = 16384;
   const zip_int64_t count = zip_get_num_entries(state_->archive, 0);
   if (count > most_members) {
-    throw bad_archive(input.name(),
-                      fmt::format("the ZIP archive has {} members, but at most {} are read", count,
-                                  most_members));
+    throw state_->bad({}, fmt::format("the ZIP archive has {} members, but at most {} are read",
+                                      count, most_members));
   }
   for (zip_int64_t i = 0; i < count; ++i) {
     zip_stat_t stat;
@@ -138,26 +138,24 @@ ZipArchive::Stream::Stream(Stream&&) noexcept = default;
 ZipArchive::Stream& ZipArchive::Stream::operator=(Stream&&) noexcept = default;
 
 ZipArchive::Stream ZipArchive::open(const ZipMember& member) const {
-  const std::string name = fmt::format("{}: {}", state_->input->name(), member.name);
   zip_stat_t stat;
   if (zip_stat_index(state_->archive, member.index, 0, &stat) != 0) {
-    throw bad_archive(name, zip_strerror(state_->archive));
+    throw state_->bad(member.name, zip_strerror(state_->archive));
   }
   if ((stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && stat.encryption_method != ZIP_EM_NONE) {
-    throw system::FileError(name, "it is encrypted",
-                            "write the archive without a password, by numpy.savez");
+    throw state_->bad(member.name, "it is encrypted");
   }
-  // No method of NumPy packs more than a thousand bytes into one.
+  // Deflate, the usual method, packs at most 1032 bytes into one.
   constexpr std::uint64_t most_ratio = 1100;
   if ((stat.valid & ZIP_STAT_COMP_SIZE) != 0 && stat.size / most_ratio > stat.comp_size) {
-    throw bad_archive(
-        name, fmt::format("its {} bytes cannot be packed in {}", stat.size, stat.comp_size));
+    throw state_->bad(
+        member.name, fmt::format("its {} bytes cannot be packed in {}", stat.size, stat.comp_size));
   }
-  auto state = std::make_unique<Stream::State>(state_.get(), name);
+  auto state = std::make_unique<Stream::State>(state_.get(), member.name);
   state->file = zip_fopen_index(state_->archive, member.index, 0);
   if (!state->file) {
     state_->rethrow_failure();
-    throw bad_archive(name,
+    throw state_->bad(member.name,
                       fmt::format("it cannot be unpacked ({})", zip_strerror(state_->archive)));
   }
   return Stream(std::move(state));
@@ -169,8 +167,8 @@ std::size_t ZipArchive::Stream::read(char* to, std::size_t length) {
     const zip_int64_t got = zip_fread(state_->file, to + done, length - done);
     if (got < 0) {
       state_->archive->rethrow_failure();
-      throw bad_archive(state_->name,
-                        fmt::format("it cannot be unpacked ({})", zip_file_strerror(state_->file)));
+      throw state_->archive->bad(state_->member, fmt::format("it cannot be unpacked ({})",
+                                                             zip_file_strerror(state_->file)));
     }
     if (got == 0) break;
     done += static_cast<std::size_t>(got);
@@ -178,4 +176,4 @@ std::size_t ZipArchive::Stream::read(char* to, std::size_t length) {
   return done;
 }
 
-}  // namespace twrench::table
+}  // namespace twrench::archive
