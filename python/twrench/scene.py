@@ -200,11 +200,11 @@ class Scene:
     """Everything that determines a film.
 
     :param source: name of a built-in scene, or path of a scene file or of a mesh in OBJ, STL,
-        PLY, glTF or COLLADA. A mesh spins about its intermediate axis, or wobbles if it is symmetric.
+        PLY, glTF, COLLADA or 3MF. A mesh spins about its intermediate axis, or wobbles if it is symmetric.
     :param language: language of the words in the picture, en or nb. A built-in story is also told in
         that language. Another tag of BCP 47, such as sv, is that of the captions; the picture's own
         words are then in English.
-    :param unit: unit of a mesh that is neither glTF nor COLLADA: mm, cm, m, inch or km.
+    :param unit: unit of a mesh whose file states none: OBJ, STL or PLY: mm, cm, m, inch or km.
     :param scale: centimetres per unit of a mesh, instead of ``unit``.
     :param weld: distance in cm up to which vertices of a mesh are joined.
     :param shell: thickness in cm of a wall along a mesh; None for a solid.

@@ -233,7 +233,7 @@ class Mesh(Solid):
     def _check(self) -> None:
         self._place_and_look()
 
-    #: An OBJ, STL, PLY, glTF or COLLADA file, or the name of a built-in mesh.
+    #: An OBJ, STL, PLY, glTF, COLLADA or 3MF file, or the name of a built-in mesh.
     file: StrPath | None = None
     #: Coordinates of the vertices, (n, 3).
     vertices: Rows | None = None
@@ -241,7 +241,7 @@ class Mesh(Solid):
     triangles: Rows | None = None
     #: sRGB colours of ``vertices``, each component from 0 to 1, (n, 3).
     colors: Rows | None = None
-    #: Unit of the coordinates: mm, cm, m, inch or km. A file in glTF or COLLADA needs none, and
+    #: Unit of the coordinates: mm, cm, m, inch or km. A file in glTF, COLLADA or 3MF needs none, and
     #: arrays without one are in cm.
     unit: UnitName | None = None
     #: Centimetres per unit, instead of ``unit``.

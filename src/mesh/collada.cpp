@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,9 +16,10 @@
 #include <vector>
 
 #include "base/words.h"
-#include "mesh/collada_numbers.h"
+#include "mesh/assembly.h"
 #include "mesh/formats.h"
 #include "mesh/polygon.h"
+#include "mesh/xml_numbers.h"
 #include "system/error.h"
 
 namespace twrench::mesh {
@@ -27,10 +27,6 @@ namespace {
 
 using Eigen::Affine3d;
 using pugi::xml_node;
-
-/// The reader visits nested elements recursively.
-constexpr std::size_t most_nested = 1000;
-constexpr std::size_t most_nodes = 1'000'000;
 
 /// The triangles of one <geometry>, in its own coordinates.
 struct Geometry {
@@ -40,7 +36,8 @@ struct Geometry {
 
 class ColladaReader {
  public:
-  explicit ColladaReader(const Source& source) : source_(source) {
+  explicit ColladaReader(const Source& source)
+      : source_(source), assembly_(source.name, source.bytes.size()) {
     // Only the five entities of XML are expanded, and nothing else is loaded.
     const pugi::xml_parse_result parsed = document_.load_buffer(
         source.bytes.data(), source.bytes.size(), pugi::parse_default, pugi::encoding_utf8);
@@ -59,6 +56,7 @@ class ColladaReader {
     const xml_node scene =
         target(root().child("scene").child("instance_visual_scene"), "visual_scene");
     add_nodes(scene, Affine3d::Identity(), 0);
+    content_.mesh = std::move(assembly_.mesh());
     add_notes();
     return std::move(content_);
   }
@@ -83,7 +81,11 @@ class ColladaReader {
   void index_elements() {
     std::size_t depth = 0;
     for (xml_node element = root(); element;) {
-      if (depth > most_nested) throw too_deep();
+      if (depth > most_nested) {
+        throw InvalidArgument(source_.name,
+                              fmt::format("its elements are nested more than {} deep", most_nested),
+                              "save it with fewer levels of nodes");
+      }
       if (const pugi::xml_attribute id = element.attribute("id"))
         elements_.emplace(id.value(), element);
       if (element.first_child()) {
@@ -94,12 +96,6 @@ class ColladaReader {
       for (; !element.next_sibling() && depth > 0; --depth) element = element.parent();
       element = element.next_sibling();
     }
-  }
-
-  InvalidArgument too_deep() const {
-    return {source_.name,
-            fmt::format("its elements or nodes are nested more than {} deep", most_nested),
-            "remove nodes that contain themselves"};
   }
 
   double metres_per_unit() const {
@@ -126,12 +122,7 @@ class ColladaReader {
 
   /// Adds the nodes in a scene or a node.
   void add_nodes(xml_node parent, const Affine3d& transform, std::size_t depth) {
-    if (depth > most_nested) throw too_deep();
-    if (++nodes_ > most_nodes) {
-      throw InvalidArgument(source_.name,
-                            fmt::format("its nodes are repeated more than {} times", most_nodes),
-                            "remove repeated nodes");
-    }
+    assembly_.enter_node(depth);
     Affine3d own = transform;
     for (const xml_node child : parent.children()) {
       const std::string_view name = child.name();
@@ -198,29 +189,7 @@ class ColladaReader {
     if (is_new) at->second = geometry(element);
     const Geometry& geometry = at->second;
     lines_ += geometry.lines;
-    body::TriangleMesh& mesh = content_.mesh;
-    // Without repetition, a triangle takes at least one byte.
-    constexpr std::size_t repeated = 3'000'000;
-    const std::size_t most = std::max(source_.bytes.size(), repeated);
-    if (mesh.triangles.size() + geometry.mesh.triangles.size() > most ||
-        mesh.vertices.size() + geometry.mesh.vertices.size() > 3 * most) {
-      throw InvalidArgument(source_.name,
-                            fmt::format("its nodes repeat its geometries to more than {} "
-                                        "triangles, or {} vertices",
-                                        most, 3 * most),
-                            "remove repeated nodes");
-    }
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : geometry.mesh.vertices) {
-      mesh.vertices.emplace_back(transform * vertex);
-      if (!mesh.vertices.back().allFinite()) throw bad(element, "a coordinate is not finite");
-    }
-    // A mirroring transform turns the triangles over.
-    const bool is_mirrored = transform.linear().determinant() < 0.0;
-    for (auto [a, b, c] : geometry.mesh.triangles) {
-      if (is_mirrored) std::swap(b, c);
-      mesh.triangles.push_back({first + a, first + b, first + c});
-    }
+    assembly_.add(geometry.mesh, transform);
   }
 
   Geometry geometry(xml_node element) const {
@@ -338,8 +307,8 @@ class ColladaReader {
   pugi::xml_document document_;
   std::unordered_map<std::string_view, xml_node> elements_;
   std::map<xml_node, Geometry> geometries_;
+  Assembly assembly_;
   Content content_;
-  std::size_t nodes_ = 0;
   std::uint64_t lines_ = 0, controllers_ = 0;
 };
 

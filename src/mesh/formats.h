@@ -85,4 +85,11 @@ Content read_gltf(const Source& source);
 /// Throws system::FileError if the file is no COLLADA, and InvalidArgument about an element.
 Content read_collada(const Source& source);
 
+/// Reads the meshes of the build of a 3MF file, with the transforms of items and components
+/// applied, in the unit that the file states. Objects of types other than "model" and
+/// "solidsupport" are left out with a note; colours and materials are ignored. Throws
+/// system::FileError if the archive is damaged or encrypted, or has no model or too much of it, and
+/// InvalidArgument about an element.
+Content read_3mf(const Source& source);
+
 }  // namespace twrench::mesh

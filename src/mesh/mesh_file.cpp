@@ -24,6 +24,7 @@ namespace twrench::mesh {
 namespace {
 
 constexpr std::string_view glb_mark = "glTF";
+constexpr std::string_view zip_mark = "PK\3\4";
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 struct Format {
@@ -33,7 +34,8 @@ struct Format {
 
 constexpr std::array formats{Format{".obj", read_obj},  Format{".stl", read_stl},
                              Format{".ply", read_ply},  Format{".gltf", read_gltf},
-                             Format{".glb", read_gltf}, Format{".dae", read_collada}};
+                             Format{".glb", read_gltf}, Format{".dae", read_collada},
+                             Format{".3mf", read_3mf}};
 
 struct Unit {
   const char* name;
@@ -70,19 +72,21 @@ Content read_content(Source source) {
   if (!is_binary_stl(source.bytes)) {
     source.bytes = system::without_byte_order_mark(source.bytes);
     const auto kind = system::recognized_file_kind(source.bytes);
-    if (kind && !source.bytes.starts_with(glb_mark) && !is_collada(source)) {
+    if (kind && !source.bytes.starts_with(glb_mark) && !source.bytes.starts_with(zip_mark) &&
+        !is_collada(source)) {
       throw system::FileError(what, fmt::format("it is {}", *kind),
-                              "save it in OBJ, STL, PLY, glTF or COLLADA, with text in UTF-8");
+                              "save it in OBJ, STL, PLY, glTF, COLLADA or 3MF, with text in UTF-8");
     }
   }
-  // Two formats are identified by their first bytes, whatever the name.
+  // Three formats are identified by their first bytes, whatever the name.
   if (source.bytes.starts_with(glb_mark)) return read_gltf(source);
+  if (source.bytes.starts_with(zip_mark)) return read_3mf(source);
   if (source.bytes.starts_with("ply\n") || source.bytes.starts_with("ply\r"))
     return read_ply(source);
   if (const Format* format = format_of(source.name)) return format->read(source);
   throw InvalidArgument(
       source.name, "its extension is not that of a mesh file",
-      "use a file in OBJ, STL, PLY, glTF or COLLADA: .obj .stl .ply .gltf .glb .dae");
+      "use a file in OBJ, STL, PLY, glTF, COLLADA or 3MF: .obj .stl .ply .gltf .glb .dae .3mf");
 }
 
 double scale_of(const std::string& name, const Content& content, const ReadOptions& options) {

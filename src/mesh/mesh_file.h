@@ -16,8 +16,8 @@ namespace twrench::mesh {
 
 /// How to interpret the mesh of a file.
 struct ReadOptions {
-  /// Centimetres per unit of the file. Not needed for glTF, which is in metres, and COLLADA, which
-  /// states its unit.
+  /// Centimetres per unit of the file. Not needed for glTF, which is in metres, and COLLADA and
+  /// 3MF, which state their unit.
   std::optional<double> scale = {};
   /// Centimetres per unit of a file that does not determine it.
   std::optional<double> default_scale = {};
@@ -79,8 +79,8 @@ class MeshError : public InvalidArgument {
   std::optional<double> weld_;
 };
 
-/// Returns whether the name has an extension of a mesh file: .obj, .stl, .ply, .gltf, .glb or
-/// .dae, in upper or lower case.
+/// Returns whether the name has an extension of a mesh file: .obj, .stl, .ply, .gltf, .glb, .dae or
+/// .3mf, in upper or lower case.
 bool is_mesh_name(const std::filesystem::path& file);
 
 /// Returns the names of the units that a mesh file may use.
@@ -89,11 +89,11 @@ std::vector<std::string> unit_names();
 /// Returns the length in cm of a unit. Throws InvalidArgument about `what` if the unit is unknown.
 double unit_length(const std::string& what, std::string_view unit);
 
-/// Reads a mesh in OBJ, STL, PLY, glTF or COLLADA. The content identifies PLY and binary glTF, the
-/// extension the others. Joins equal vertices and removes the triangles that lose their area by
-/// this. Turns a solid over if it is inside out. Throws InvalidArgument about the file, or a line
-/// or triangle of it, if the mesh is not a solid, OutOfRange about "scale", "weld" and "shell", and
-/// system::FileError if the file cannot be read, is longer than 1 GiB, or is damaged.
+/// Reads a mesh in OBJ, STL, PLY, glTF, COLLADA or 3MF. The content identifies PLY, binary glTF and
+/// 3MF, the extension the others. Joins equal vertices and removes the triangles that lose their
+/// area by this. Turns a solid over if it is inside out. Throws InvalidArgument about the file, or
+/// a line or triangle of it, if the mesh is not a solid, OutOfRange about "scale", "weld" and
+/// "shell", and system::FileError if the file cannot be read, is longer than 1 GiB, or is damaged.
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options);
 
 /// Reads a mesh file from memory. `name` identifies it in messages, and its extension is used as

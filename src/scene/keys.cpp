@@ -77,14 +77,15 @@ const std::vector<Key>& mesh_keys() {
   using enum ValueForm::Kind;
   static const std::vector<Key> all{
       {.name = "file",
-       .help = "path of an OBJ, STL, PLY, glTF or COLLADA file, from the folder of the scene file",
+       .help =
+           "path of an OBJ, STL, PLY, glTF, COLLADA or 3MF file, from the folder of the scene file",
        .form = {text},
        .is_required = true},
       {.name = "unit",
        .help = "unit of the file",
        .form = {text, {}, mesh::unit_names()},
        .otherwise =
-           "metres for glTF, that of the file for COLLADA; other formats need it or scale"},
+           "metres for glTF, that of the file for COLLADA and 3MF; other formats need it or scale"},
       {.name = "scale",
        .help = "centimetres per unit of the file",
        .form = {number, limits::mesh_scale},

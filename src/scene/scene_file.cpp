@@ -35,7 +35,7 @@ void mark_as_of_scene(Scene& scene) {
 }
 
 constexpr const char* files_of_scenes =
-    "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb .dae";
+    "name a scene file, .toml, or a mesh: .obj .stl .ply .gltf .glb .dae .3mf";
 
 /// Throws InvalidArgument if the file is of another kind, or in UTF-16.
 void require_text(std::string_view text, const std::string& file) {

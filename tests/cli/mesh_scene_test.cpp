@@ -19,7 +19,8 @@ class MeshAsScene : public testing::Test {
  protected:
   MeshAsScene() {
     write("box.obj", box);
-    for (const char* name : {"tetrahedron.glb", "tetrahedron.gltf", "binary.stl", "little.ply"}) {
+    for (const char* name : {"tetrahedron.glb", "tetrahedron.gltf", "binary.stl", "little.ply",
+                             "tetrahedron.dae", "tetrahedron.3mf"}) {
       const fs::path corpus = TWRENCH_TESTS_DIR "/fuzz/corpus/mesh";
       write(name, text_of(corpus / name).substr(1));  // a byte for the fuzzer precedes the file
     }
@@ -58,8 +59,9 @@ TEST_F(MeshAsScene, IsTakenByEveryCommand) {
 }
 
 TEST_F(MeshAsScene, MayHaveAnyFormat) {
-  for (const std::string mesh : {"tetrahedron.glb", "tetrahedron.gltf", "binary.stl --unit mm",
-                                 "little.ply --unit km", "box.obj --unit m"}) {
+  for (const std::string mesh :
+       {"tetrahedron.glb", "tetrahedron.gltf", "tetrahedron.dae", "tetrahedron.3mf",
+        "binary.stl --unit mm", "little.ply --unit km", "box.obj --unit m"}) {
     const Outcome outcome = run("render " + mesh + ' ' + draw + "f --overwrite");
     EXPECT_EQ(outcome.code, 0) << mesh << '\n' << outcome.err;
   }

@@ -1,4 +1,4 @@
-// Meshes in all formats. The first byte selects the name of the file.
+// Meshes in all formats. The first byte, a digit in the corpus, selects the name of the file.
 #include <twrench/base/error.h>
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace twrench;
 
-constexpr std::array names{"a.obj", "a.stl", "a.ply", "a.gltf", "a.glb", "a.dae"};
+constexpr std::array names{"a.obj", "a.stl", "a.ply", "a.gltf", "a.glb", "a.dae", "a.3mf"};
 
 void read(std::string_view bytes, const std::string& name, const mesh::ReadOptions& options) {
   const mesh::MeshFile file = mesh::read_mesh(bytes, name, options);
@@ -38,7 +38,7 @@ void read(std::string_view bytes, const std::string& name, const mesh::ReadOptio
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const std::string name = names[data[0] % names.size()];
+  const std::string name = names[data[0] % 16U % names.size()];
   for (const mesh::ReadOptions& options :
        {mesh::ReadOptions{.scale = 1.0}, mesh::ReadOptions{.scale = 0.1, .weld = 1e-3},
         mesh::ReadOptions{.scale = 1.0, .shell = 0.1}}) {

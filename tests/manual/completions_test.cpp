@@ -81,8 +81,8 @@ TEST(Completions, OfBashOfferWhatFits) {
 }
 
 TEST(Completions, OfEachShellOfferMeshesToEveryCommandThatTakesAScene) {
-  const std::string endings = "toml stl obj ply gltf glb dae",
-                    zsh = "toml\\|stl\\|obj\\|ply\\|gltf\\|glb\\|dae";
+  const std::string endings = "toml stl obj ply gltf glb dae 3mf urdf sdf xml",
+                    zsh = "toml\\|stl\\|obj\\|ply\\|gltf\\|glb\\|dae\\|3mf\\|urdf\\|sdf\\|xml";
   const auto count = [](const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {

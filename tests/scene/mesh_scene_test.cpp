@@ -184,7 +184,7 @@ TEST_F(MeshScene, OfAnUnknownFormatIsRefusedWithTheKnownOnes) {
     ADD_FAILURE();
   } catch (const InvalidArgument& error) {
     EXPECT_THAT(error.what(), testing::EndsWith("x.step: it is a STEP model"));
-    EXPECT_THAT(error.remedy(), HasSubstr("a mesh: .obj .stl .ply .gltf .glb .dae"));
+    EXPECT_THAT(error.remedy(), HasSubstr("a mesh: .obj .stl .ply .gltf .glb .dae .3mf"));
   }
 }
 

@@ -48,7 +48,7 @@ std::map<std::string, Candidates> other_values() {
       {"SCENE",
        {Candidates::Kind::scene,
         scene::builtin_scene_names(),
-        {"toml", "stl", "obj", "ply", "gltf", "glb", "dae"}}},
+        {"toml", "stl", "obj", "ply", "gltf", "glb", "dae", "3mf", "urdf", "sdf", "xml"}}},
       {"--case", words(cases::case_names())},
       {"NAME", words(cases::case_names())},
       {"--font", {Candidates::Kind::file, {}}},

@@ -40,7 +40,7 @@ MeshOptions::MeshOptions(CLI::App& command) : command_(command) {
   command.add_option("--unit", unit_, "of a mesh: the unit of its file: mm, cm, m, inch or km")
       ->check(one_of("--unit", mesh::unit_names()))
       ->type_name("UNIT")
-      ->default_str("m for glTF, that of the file for COLLADA")
+      ->default_str("m for glTF, that of the file for COLLADA and 3MF")
       ->group(heading(OptionGroup::body));
   command.add_option("--scale", scale_, "of a mesh: the same as a number, cm per unit")
       ->type_name("F")
@@ -69,7 +69,7 @@ void MeshOptions::require_none() const {
   for (const char* option : mesh_option_names) {
     if (command_.count(option) == 0) continue;
     throw InvalidArgument(option, "is for a mesh, and this is none",
-                          "name a file that ends in .obj, .stl, .ply, .gltf, .glb or .dae");
+                          "name a file that ends in .obj, .stl, .ply, .gltf, .glb, .dae or .3mf");
   }
 }
 

@@ -109,10 +109,9 @@ std::string help_of(const scene::Field& field) {
 SceneOptions::SceneOptions(CLI::App& command, Count count, std::vector<std::string> without)
     : command_(command), names_(std::move(without)), mesh_(command), robot_(command) {
   command
-      .add_option(
-          "SCENE", names_,
-          ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb, .dae), robot description (.urdf, "
-          ".sdf, .xml) or built-in scene (see twrench scenes)")
+      .add_option("SCENE", names_,
+                  ".toml file, mesh (.obj, .stl, .ply, .gltf, .glb, .dae, .3mf), robot description "
+                  "(.urdf, .sdf, .xml) or built-in scene (see twrench scenes)")
       ->expected(1, count == Count::one ? 1 : most_scenes)
       ->default_str(fmt::format("{}", fmt::join(names_, " ")));
 }

@@ -28,19 +28,23 @@ inline std::optional<std::uint32_t> whole_number(std::string_view word) {
   return number_of_word<std::uint32_t>(word);
 }
 
+/// Calls a function with each word of a text.
+template <typename Function>
+void for_each_word(std::string_view text, const Function& function) {
+  constexpr std::string_view white_space = " \t\r\n";
+  std::size_t begin = text.find_first_not_of(white_space);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(text.find_first_of(white_space, begin), text.size());
+    function(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(white_space, end);
+  }
+}
+
 /// Calls a function with each word of an element's text. Comments may interrupt the text.
 template <typename Function>
 void for_each_word(const pugi::xml_node& element, const Function& function) {
-  constexpr std::string_view white_space = " \t\r\n";
-  for (const pugi::xml_node part : element.children()) {
-    const std::string_view text = part.value();
-    std::size_t begin = text.find_first_not_of(white_space);
-    while (begin != std::string_view::npos) {
-      const std::size_t end = std::min(text.find_first_of(white_space, begin), text.size());
-      function(text.substr(begin, end - begin));
-      begin = text.find_first_not_of(white_space, end);
-    }
-  }
+  for (const pugi::xml_node part : element.children())
+    for_each_word(std::string_view(part.value()), function);
 }
 
 }  // namespace twrench::mesh
