@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -113,6 +114,15 @@ def test_map_of_flips(tmp_path):
     assert starts == len(waits) and earliest == pytest.approx(min(waits), abs=1e-4)
 
 
+@pytest.fixture
+def beside_robots(tmp_path: Path) -> Path:
+    """A folder for notebooks beside that of the robots, as in the examples."""
+    shutil.copytree(PROJECT / "examples/robot", tmp_path / "robot")
+    folder = tmp_path / "notebooks"
+    folder.mkdir()
+    return folder
+
+
 def names_after(notebook: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
     """The names that the cells of a notebook define. The cells are stored without outputs."""
     pytest.importorskip("matplotlib").use("agg")
@@ -162,8 +172,17 @@ def test_the_notebook_of_a_toss(tmp_path, monkeypatch):
     assert names["scene"].picture(0.84).png.startswith(b"\x89PNG")
 
 
+def test_the_notebook_of_the_robot(beside_robots, monkeypatch):
+    names = names_after("robot.ipynb", beside_robots, monkeypatch)
+    verdicts = {name: link.verdict for name, link in names["robot"].links.items()}
+    assert list(verdicts.values()).count("good") == 1 and verdicts["finger"] == "impossible"
+    assert all(link.verdict == "good" for link in names["after"].links.values())
+    assert names["before"].png != names["after_repair"].png
+    assert files(beside_robots) == ["repaired.urdf"]
+
+
 @pytest.mark.parametrize("name", sorted(path.name for path in NOTEBOOKS.iterdir()))
-def test_a_notebook_as_a_page(name, tmp_path, monkeypatch):
+def test_a_notebook_as_a_page(name, beside_robots, monkeypatch):
     """Runs a notebook in a kernel. Each scene, plot and film at the end of a cell is shown."""
     needed = "needs the packages jupyter-nbconvert and python3-ipykernel"
     nbconvert = pytest.importorskip("nbconvert", reason=needed)
@@ -173,13 +192,17 @@ def test_a_notebook_as_a_page(name, tmp_path, monkeypatch):
     # The kernel starts in another folder.
     monkeypatch.setenv("PYTHONPATH", str(Path(twrench.__file__).parents[1]))
     run = nbconvert.preprocessors.ExecutePreprocessor(kernel_name="python3")
-    run.preprocess(notebook, {"metadata": {"path": str(tmp_path)}})
+    run.preprocess(notebook, {"metadata": {"path": str(beside_robots)}})
     shown = [output.data for cell in notebook.cells for output in cell.get("outputs", [])
              if output.output_type in ("execute_result", "display_data")]  # fmt: skip
     page, _ = nbconvert.HTMLExporter().from_notebook_node(notebook)
     pictures = {
-        "effect.ipynb": 2, "integrators.ipynb": 1, "check_your_simulator.ipynb": 0, "toss.ipynb": 2,
-    }[name]  # fmt: skip
+        "effect.ipynb": 2,
+        "integrators.ipynb": 1,
+        "check_your_simulator.ipynb": 0,
+        "toss.ipynb": 2,
+        "robot.ipynb": 2,
+    }[name]
     assert sum("image/png" in data for data in shown) == pictures
     assert page.count('src="data:image/png;base64,') >= pictures - ("<iframe" in page)
     if name == "effect.ipynb":
