@@ -48,13 +48,23 @@ void read_format(const XmlFile& file, Robot& robot) {
     robot.format = Format::sdf;
     return read_sdf(file, robot);
   }
-  if (root == "mujoco") {
+  // The second one is usual for files that others include.
+  if (root == "mujoco" || root == "mujocoinclude") {
     robot.format = Format::mjcf;
     return read_mjcf(file, robot);
   }
   throw system::FileError(fmt::format("cannot read {}", file.path().string()),
                           fmt::format("its root element is <{}>", root),
                           "URDF has <robot>, SDF has <sdf>, MJCF has <mujoco>");
+}
+
+void require_links(const XmlFile& file, const Robot& robot) {
+  if (!robot.links.empty()) return;
+  const bool is_part = robot.format == Format::mjcf && !file.root().child("worldbody");
+  throw InvalidArgument(
+      robot.file.string(),
+      is_part ? "it has no <worldbody>, like a part that another file includes" : "it has no links",
+      is_part ? "give the file that includes it" : "give the description of a robot");
 }
 
 void require_distinct_names(const Robot& robot) {
@@ -80,8 +90,7 @@ Robot robot_of(const XmlFile& file) {
   robot.text = file.text();
   robot.mesh_folder = path.parent_path();
   read_format(file, robot);
-  if (robot.links.empty())
-    throw InvalidArgument(path.string(), "it has no links", "give the description of a robot");
+  require_links(file, robot);
   require_distinct_names(robot);
   return robot;
 }

@@ -191,6 +191,15 @@ TEST(Mjcf, IncludesOtherFilesWithoutBodies) {
   EXPECT_THAT(file.refusal(), HasSubstr("5 cannot read parts/a.xml"));
 }
 
+TEST(Mjcf, RefusesPartsThatOtherFilesInclude) {
+  for (const char* part : {"<mujoco><default><geom size='1'/></default></mujoco>",
+                           "<mujocoinclude><body><geom size='1'/></body></mujocoinclude>"}) {
+    EXPECT_THAT(RobotFile(part, "part.xml").refusal(),
+                HasSubstr("2 part.xml: it has no <worldbody>, like a part that another file "
+                          "includes; give the file that includes it"));
+  }
+}
+
 TEST(Mjcf, RefusesWhatItCannotRead) {
   const auto inertial = [](const std::string& attributes) {
     return mjcf_refusal(body_of("<inertial " + attributes + "/>"));
