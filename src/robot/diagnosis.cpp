@@ -213,7 +213,7 @@ Diagnosis judge(const Link& link, const LinkGeometry& geometry) {
   Diagnosis diagnosis;
   if (!link.inertial) return diagnosis;
   const LinkMass body = stated_mass(*link.inertial);
-  // A frame, such as that of a tool: nothing is added to the mass of its parent.
+  // A frame, such as that of a tool: it adds nothing to the mass of the link to which it is fixed.
   if (link.is_fixed && body.mass == 0.0 && body.inertia.isZero(0.0)) return diagnosis;
   diagnosis.body = body;
   diagnosis.verdict = Verdict::good;

@@ -33,10 +33,11 @@ class MjcfReader {
     Eigen::Isometry3d body_from_frame = Eigen::Isometry3d::Identity();
   };
 
-  /// The geoms and the inertial of a body.
+  /// The geoms and the inertial of a body, and whether it moves relative to its parent.
   struct Contents {
     std::vector<MjcfGeom> geoms = {};
     std::optional<Inertial> inertial = {};
+    bool has_joint = false;
   };
 
   void read_children(const Element& parent, const Scope& scope, Contents& contents);
@@ -90,6 +91,8 @@ void MjcfReader::read_children(const Element& parent, const Scope& scope, Conten
       read_geom(element, scope, contents);
     } else if (name == "inertial" && scope.is_body) {
       read_inertial(element, scope, contents);
+    } else if (name == "joint" || name == "freejoint") {
+      contents.has_joint = true;
     } else if (name == "replicate" || name == "attach" || name == "composite" ||
                name == "flexcomp") {
       robot_.notes.push_back(
@@ -109,6 +112,10 @@ void MjcfReader::read_body(const Element& element, const Scope& outer) {
   Contents contents;
   read_children(element, {index, true, childclass.empty() ? outer.childclass : childclass},
                 contents);
+  if (!contents.has_joint) {
+    robot_.links[index].is_fixed = true;
+    if (outer.is_body) robot_.links[outer.link].is_fixed = true;
+  }
   finish(contents, robot_.links[index]);
 }
 

@@ -108,7 +108,7 @@ struct Link {
   std::vector<Geometry> geometries = {};
   /// The name of the link to which a joint connects it; empty for none.
   std::string parent = {};
-  /// Whether this joint is known to be fixed, so that simulators add the link's mass to its parent.
+  /// Whether it is fixed to the world or another link, so that simulators add up their masses.
   bool is_fixed = false;
   /// The line of the file.
   std::size_t line = 0;

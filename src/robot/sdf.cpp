@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include "base/words.h"
@@ -108,17 +109,21 @@ void SdfReader::read_models(const pugi::xml_node& node, const std::string& prefi
   }
 }
 
-/// Names the parents of links of the model and of those in it, which begin with the link `first`.
+/// Connects links of the model and of those in it, which begin with the link `first`.
 void SdfReader::read_joints(const pugi::xml_node& model, const std::string& prefix,
                             std::size_t first) {
   std::map<std::string, std::string> parent_of;
+  std::set<std::string> fixed;
   for (const pugi::xml_node& joint : model.children("joint")) {
     const std::string_view parent = joint.child("parent").child_value();
-    if (!parent.empty() && parent != "world")
-      parent_of[prefix + joint.child("child").child_value()] = prefix + std::string(parent);
+    const std::string child = prefix + joint.child("child").child_value();
+    if (!parent.empty() && parent != "world") parent_of[child] = prefix + std::string(parent);
+    if (std::string_view(joint.attribute("type").value()) == "fixed")
+      fixed.insert({prefix + std::string(parent), child});
   }
   for (std::size_t i = first; i < robot_.links.size(); ++i) {
     Link& link = robot_.links[i];
+    link.is_fixed = link.is_fixed || fixed.contains(link.name);
     if (const auto parent = parent_of.find(link.name); parent != parent_of.end())
       link.parent = parent->second;
   }

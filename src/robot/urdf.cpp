@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -90,12 +91,22 @@ void add_geometries(const XmlFile& file, const pugi::xml_node& node, Geometry::U
   }
 }
 
-/// Returns the joint of each link that is the child of one.
-std::map<std::string, pugi::xml_node> joints(const XmlFile& file) {
-  std::map<std::string, pugi::xml_node> result;
-  for (const pugi::xml_node& joint : file.root().children("joint"))
-    result[joint.child("child").attribute("link").value()] = joint;
-  return result;
+/// The joints of a file.
+struct Joints {
+  std::map<std::string, std::string> parent_of;
+  std::set<std::string> fixed;  ///< Links with a fixed joint, to a parent or to a child.
+};
+
+Joints joints_of(const XmlFile& file) {
+  Joints joints;
+  for (const pugi::xml_node& joint : file.root().children("joint")) {
+    const std::string parent = joint.child("parent").attribute("link").value();
+    const std::string child = joint.child("child").attribute("link").value();
+    joints.parent_of[child] = parent;
+    if (std::string_view(joint.attribute("type").value()) != "fixed") continue;
+    joints.fixed.insert({parent, child});
+  }
+  return joints;
 }
 
 }  // namespace
@@ -103,17 +114,16 @@ std::map<std::string, pugi::xml_node> joints(const XmlFile& file) {
 void read_urdf(const XmlFile& file, Robot& robot) {
   const pugi::xml_node root = file.root();
   robot.name = root.attribute("name").value();
-  const std::map<std::string, pugi::xml_node> joint_of = joints(file);
+  const Joints joints = joints_of(file);
   for (const pugi::xml_node& node : root.children("link")) {
     Link link{.name = std::string(file.required(node, "name")), .line = file.line(node)};
     if (const pugi::xml_node inertial = node.child("inertial"))
       link.inertial = inertial_of(file, inertial);
     add_geometries(file, node, Geometry::Use::visual, link, robot);
     add_geometries(file, node, Geometry::Use::collision, link, robot);
-    if (const auto joint = joint_of.find(link.name); joint != joint_of.end()) {
-      link.parent = joint->second.child("parent").attribute("link").value();
-      link.is_fixed = std::string_view(joint->second.attribute("type").value()) == "fixed";
-    }
+    if (const auto parent = joints.parent_of.find(link.name); parent != joints.parent_of.end())
+      link.parent = parent->second;
+    link.is_fixed = joints.fixed.contains(link.name);
     robot.links.push_back(std::move(link));
   }
 }

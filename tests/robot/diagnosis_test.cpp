@@ -335,6 +335,49 @@ TEST(Diagnosis, AcceptsFixedFramesWithoutMass) {
   EXPECT_EQ(verdict("revolute"), Verdict::impossible);
 }
 
+TEST(Diagnosis, AcceptsARootWithoutMassThatIsFixedToTheRobot) {
+  const auto verdict = [](const char* joint) {
+    return diagnosis_of("<link name='root'><inertial><mass value='0'/><inertia " +
+                        diagonal(0, 0, 0) + "/></inertial></link><link name='arm'/><joint type='" +
+                        joint + "'><parent link='root'/><child link='arm'/></joint>")
+        .verdict;
+  };
+  EXPECT_EQ(verdict("fixed"), Verdict::unstated);
+  EXPECT_EQ(verdict("revolute"), Verdict::impossible);
+}
+
+// As libsdformat, which accepts a mass of zero.
+TEST(Diagnosis, AcceptsFixedFramesOfSdf) {
+  const auto verdict = [](const char* joint) {
+    const RobotFile file(
+        fmt::format("<sdf version='1.9'><model name='m'><link name='tool'><inertial><mass>0</mass>"
+                    "<inertia><ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial></link>"
+                    "<link name='arm'/><joint name='j' type='{}'><parent>arm</parent>"
+                    "<child>tool</child></joint></model></sdf>",
+                    joint),
+        "robot.sdf");
+    return judge_robot(file.read(), {}).diagnoses.front().verdict;
+  };
+  EXPECT_EQ(verdict("fixed"), Verdict::unstated);
+  EXPECT_EQ(verdict("revolute"), Verdict::impossible);
+}
+
+// As MuJoCo, which requires a mass only of moving bodies without a welded child that has one.
+TEST(Diagnosis, AcceptsFixedFramesOfMjcf) {
+  const auto verdict = [](const std::string& body, const std::string& child) {
+    const RobotFile file("<mujoco><worldbody><body name='a'>" + body +
+                             "<inertial pos='0 0 0' mass='0' diaginertia='0 0 0'/>" + child +
+                             "</body></worldbody></mujoco>",
+                         "robot.xml");
+    return judge_robot(file.read(), {}).diagnoses.front().verdict;
+  };
+  EXPECT_EQ(verdict("", ""), Verdict::unstated);
+  EXPECT_EQ(verdict("<joint/>", ""), Verdict::impossible);
+  EXPECT_EQ(verdict("<frame><freejoint/></frame>", ""), Verdict::impossible);
+  EXPECT_EQ(verdict("<joint/>", "<body><geom size='1'/></body>"), Verdict::unstated);
+  EXPECT_EQ(verdict("<joint/>", "<body><joint/><geom size='1'/></body>"), Verdict::impossible);
+}
+
 TEST(Diagnosis, GivesTheEvidence) {
   const Diagnosis flat = diagnosis_of(link_of("a", 1, diagonal(1, 1, 3), "<box size='1 1 1'/>"));
   EXPECT_EQ(flat.verdict, Verdict::impossible);
