@@ -71,6 +71,17 @@ std::optional<std::string> nearest(std::string_view name, std::span<const std::s
   return best;
 }
 
+std::string list_of_names(std::span<const std::string> names) {
+  constexpr std::size_t most = 3;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    const bool is_last = i > 0 && i + 1 == names.size();
+    list += fmt::format("{}'{}'", i == 0 ? "" : is_last ? " and " : ", ", names[i]);
+  }
+  if (names.size() == most + 1) return fmt::format("{} and 1 other", list);
+  return names.size() > most ? fmt::format("{} and {} others", list, names.size() - most) : list;
+}
+
 InvalidArgument unknown_name(const std::string& what, std::string_view name,
                              std::span<const std::string> candidates) {
   std::string remedy = fmt::format("one of: {}", fmt::join(candidates, ", "));

@@ -23,6 +23,10 @@ std::vector<std::string> words_of(const std::string& text);
 /// "rk4"; then the first. Nothing if even that one is too different to be a misspelling.
 std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates);
 
+/// Returns a list of names in quotation marks: "'a', 'b' and 'c'" or, if there are more,
+/// "'a', 'b', 'c' and 57 others".
+std::string list_of_names(std::span<const std::string> names);
+
 /// Returns the error for a `name` that is not among `candidates`: "WHAT: unknown name 'NAME'", with
 /// the nearest one suggested and all of them listed.
 InvalidArgument unknown_name(const std::string& what, std::string_view name,

@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "base/words.h"
 #include "robot/compiled.h"
 #include "robot/experiments.h"
 
@@ -243,6 +245,46 @@ Diagnosis diagnosis_of_geometry(const std::optional<LinkMass>& body) {
   return diagnosis;
 }
 
+/// Adds a note about the meshes that were not found, or two with different remedies.
+void add_missing_meshes(const std::set<std::string>& missing, JudgedRobot& judged) {
+  std::vector<std::string> in_packages, beside;
+  for (const std::string& uri : missing) (is_in_package(uri) ? in_packages : beside).push_back(uri);
+  const auto add = [&](const std::vector<std::string>& uris, const std::string& remedy) {
+    if (uris.empty()) return;
+    judged.notes.push_back(
+        fmt::format("{}: {} not found: {}; {}", judged.robot.file.string(),
+                    uris.size() == 1 ? "a mesh was" : fmt::format("{} meshes were", uris.size()),
+                    list_of_names(uris), remedy));
+  };
+  add(in_packages,
+      "name the folder that contains the packages: " + argument("package-path", "DIR"));
+  add(beside, "paths are relative to the folder of the description");
+}
+
+/// Adds notes about the meshes that are not used as solids, one for each of the first problems.
+void add_mesh_notes(const Meshes& meshes, JudgedRobot& judged) {
+  add_missing_meshes(meshes.missing(), judged);
+  const std::vector<Link>& links = judged.robot.links;
+  std::map<std::string, std::vector<std::size_t>> problems;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    for (const std::string& problem : judged.geometries[i].problems())
+      problems[problem].push_back(i);
+  constexpr std::size_t most = 5;
+  std::size_t notes = 0;
+  for (const auto& [problem, indices] : problems) {
+    if (++notes > most) {
+      judged.notes.push_back(fmt::format("{}: {} other meshes are not used as solids",
+                                         judged.robot.file.string(), problems.size() - most));
+      break;
+    }
+    std::vector<std::string> names;
+    for (const std::size_t index : indices) names.push_back(links[index].name);
+    judged.notes.push_back(fmt::format("{}:{}: link{} {}: {}", judged.robot.file.string(),
+                                       links[indices.front()].line, names.size() > 1 ? "s" : "",
+                                       list_of_names(names), problem));
+  }
+}
+
 }  // namespace
 
 LinkMass stated_mass(const Inertial& inertial) {
@@ -264,12 +306,8 @@ JudgedRobot judge_robot(Robot robot, const std::vector<std::filesystem::path>& p
   judged.robot = std::move(robot);
   judged.notes = judged.robot.notes;
   Meshes meshes(judged.robot, packages);
-  for (const Link& link : judged.robot.links) {
-    judged.geometries.emplace_back(link, meshes);
-    for (const std::string& problem : judged.geometries.back().problems())
-      judged.notes.push_back(fmt::format("{}:{}: link '{}': {}", judged.robot.file.string(),
-                                         link.line, link.name, problem));
-  }
+  for (const Link& link : judged.robot.links) judged.geometries.emplace_back(link, meshes);
+  add_mesh_notes(meshes, judged);
   const std::vector<std::optional<LinkMass>> bodies = compiled(judged.robot, judged.geometries);
   for (std::size_t i = 0; i < judged.robot.links.size(); ++i) {
     judged.diagnoses.push_back(judged.robot.links[i].is_from_geometry

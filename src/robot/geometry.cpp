@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/words.h"
 #include "mesh/mesh_file.h"
 
 namespace twrench::robot {
@@ -153,18 +152,14 @@ const Meshes::Loaded& Meshes::load(const MeshReference& reference) {
     files_.push_back(*file);
     loaded = load_mesh(*file, reference.scale);
   } else {
-    const bool is_in_package =
-        reference.uri.starts_with("package://") || reference.uri.starts_with("model://");
-    loaded.problem = fmt::format(
-        "its mesh '{}' was not found; {}", reference.uri,
-        is_in_package
-            ? "name the folder that contains its package: " + argument("package-path", "DIR")
-            : "paths are relative to the folder of the description");
+    missing_.insert(reference.uri);
   }
   return loaded_.emplace(key, std::move(loaded)).first->second;
 }
 
-std::vector<fs::path> Meshes::files() const { return files_; }
+bool is_in_package(const std::string& uri) {
+  return uri.starts_with("package://") || uri.starts_with("model://");
+}
 
 LinkGeometry::LinkGeometry(const Link& link, Meshes& meshes) {
   for (const Geometry& geometry : link.geometries) add(geometry, meshes);

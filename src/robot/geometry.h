@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,14 +49,18 @@ class Meshes {
     std::optional<body::Mesh> solid = {};
     /// The wall along its surface; nothing if it could not be read.
     std::optional<body::Mesh> wall = {};
-    /// Why there is no solid, or no mesh at all; may be empty.
+    /// Why there is no solid, or the file could not be read; may be empty, as for a file that was
+    /// not found.
     std::string problem = {};
   };
 
   const Loaded& load(const MeshReference& reference);
 
   /// Returns the files that were read.
-  std::vector<std::filesystem::path> files() const;
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+
+  /// Returns the meshes that were not found, as they were given.
+  const std::set<std::string>& missing() const { return missing_; }
 
   /// Returns the file of a mesh; nothing if there is none.
   std::optional<std::filesystem::path> find(const std::string& uri) const;
@@ -65,7 +70,11 @@ class Meshes {
   std::vector<std::filesystem::path> packages_;
   std::map<std::string, Loaded> loaded_;  ///< By file and scale.
   std::vector<std::filesystem::path> files_;
+  std::set<std::string> missing_;
 };
+
+/// Returns whether a mesh is in a package or a model, which is looked for in several folders.
+bool is_in_package(const std::string& uri);
 
 /// The geometries of a link with their meshes.
 class LinkGeometry {

@@ -178,7 +178,7 @@ std::string robot_text(const JudgedRobot& judged) {
   return text;
 }
 
-std::string robot_json(const JudgedRobot& judged) {
+std::string robot_json(const JudgedRobot& judged, const ArgumentWording& wording) {
   Json json{{"robot", judged.robot.name}, {"format", enumerator_name(judged.robot.format)}};
   json["units"] = {{"mass", "kg"}, {"length", "m"}, {"inertia", "kg m^2"}};
   for (const Verdict verdict : enumerators<Verdict>)
@@ -186,7 +186,9 @@ std::string robot_json(const JudgedRobot& judged) {
   json["links"] = Json::array();
   for (const std::size_t i : worst_first(judged))
     json["links"].push_back(link_json(judged.robot.links[i], judged.diagnoses[i]));
-  json["notes"] = judged.notes;
+  json["notes"] = Json::array();
+  for (const std::string& note : judged.notes)
+    json["notes"].push_back(with_arguments(note, wording));
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

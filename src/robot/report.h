@@ -23,7 +23,7 @@ std::string verdict_text(const Diagnosis& diagnosis);
 // which an impossible link fails.
 
 std::string robot_text(const JudgedRobot& judged);
-std::string robot_json(const JudgedRobot& judged);
+std::string robot_json(const JudgedRobot& judged, const ArgumentWording& wording);
 std::string robot_junit(const JudgedRobot& judged);
 
 /// Pictures of a link with the ellipsoid of its inertia, as HTML elements; empty if there is none.

@@ -53,9 +53,10 @@ TEST_F(RobotFile, IsJudgedLinkByLinkTheWorstFirst) {
   EXPECT_LT(text.out.find("\nrod "), text.out.find("\nbox "));
   EXPECT_THAT(text.out, HasSubstr("  the products of inertia have the other sign: without this the "
                                   "moments are those of its visual geometry to"));
-  EXPECT_THAT(text.err, HasSubstr("arm.urdf:6: link 'lost': its mesh 'package://a/b.stl' was not "
-                                  "found; name the folder that contains its package: "
-                                  "--package-path DIR"));
+  EXPECT_THAT(text.err, HasSubstr("arm.urdf: a mesh was not found: 'package://a/b.stl'; name the "
+                                  "folder that contains the packages: --package-path DIR"));
+  const json notes = json::parse(run("inertia arm.urdf --format json").out)["notes"];
+  EXPECT_THAT(notes.at(0), HasSubstr("packages: --package-path DIR"));
 }
 
 TEST_F(RobotFile, HasATableWhoseColumnsFit) {

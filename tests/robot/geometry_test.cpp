@@ -9,12 +9,14 @@
 #include <functional>
 #include <numbers>
 
+#include "robot/diagnosis.h"
 #include "robot/samples.h"
 
 namespace twrench::robot {
 namespace {
 
 using Eigen::Vector3d;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -108,15 +110,16 @@ TEST(LinkGeometry, ClosesMeshesThatRoundingOpened) {
 }
 
 TEST(LinkGeometry, SaysWhereAMeshIsLookedFor) {
-  const auto problem = [](const std::string& uri) {
+  const auto note = [](const std::string& uri) {
     const RobotFile file("<robot name='r'><link name='a'><visual><geometry><mesh filename='" + uri +
                          "'/></geometry></visual></link></robot>");
-    const Robot robot = file.read();
-    return geometry_of(robot).problems().front();
+    const JudgedRobot judged = judge_robot(file.read(), {});
+    EXPECT_THAT(judged.notes, SizeIs(1));
+    return judged.notes.front();
   };
-  EXPECT_THAT(problem("package://a/b.stl"), HasSubstr("the folder that contains its package"));
-  EXPECT_THAT(problem("meshes/b.stl"),
-              HasSubstr("its mesh 'meshes/b.stl' was not found; paths are relative to the folder"));
+  EXPECT_THAT(note("package://a/b.stl"), HasSubstr("the folder that contains the packages"));
+  EXPECT_THAT(note("meshes/b.stl"), HasSubstr("a mesh was not found: 'meshes/b.stl'; paths are "
+                                              "relative to the folder"));
 }
 
 // The factors of the description multiply the unit of the file, here the millimetre.
@@ -149,17 +152,49 @@ TEST(LinkGeometry, TakesTheUnitOfAColladaMeshFromTheFile) {
   }
 }
 
-TEST(LinkGeometry, NamesAMeshThatIsMissing) {
+TEST(LinkGeometry, IsNotKnownWithoutItsMesh) {
   const RobotFile file(
       "<robot name='r'><link name='a'>"
       "<visual><geometry><mesh filename='package://pack/t.stl'/></geometry></visual>"
       "<collision><geometry><box size='1 1 1'/></geometry></collision></link></robot>");
   const Robot robot = file.read();
   const LinkGeometry geometry = geometry_of(robot);
-  ASSERT_THAT(geometry.problems(), SizeIs(1));
-  EXPECT_THAT(geometry.problems()[0], HasSubstr("'package://pack/t.stl' was not found"));
   EXPECT_FALSE(geometry.is_known());
   EXPECT_EQ(geometry.models().front().source, "its collision geometry");
+}
+
+// One line for all, and not one for each.
+TEST(JudgedRobot, NamesTheFirstMeshesThatAreMissing) {
+  std::string links;
+  for (int i = 0; i < 60; ++i) {
+    const std::string mesh = fmt::format("<geometry><mesh filename='{}/{:02}.stl'/></geometry>",
+                                         i < 58 ? "package://p" : "m", i);
+    links += fmt::format("<link name='{}'><visual>{}</visual><collision>{}</collision></link>", i,
+                         mesh, mesh);
+  }
+  const RobotFile file("<robot name='r'>" + links + "</robot>");
+  EXPECT_THAT(judge_robot(file.read(), {}).notes,
+              ElementsAre(HasSubstr("58 meshes were not found: 'package://p/00.stl', "
+                                    "'package://p/01.stl', 'package://p/02.stl' and 55 others; "
+                                    "name the folder that contains the packages"),
+                          HasSubstr("2 meshes were not found: 'm/58.stl' and 'm/59.stl'; paths")));
+}
+
+TEST(JudgedRobot, NamesEachProblemOfAMeshOnce) {
+  std::string links;
+  for (int i = 0; i < 10; ++i) {
+    links += fmt::format(
+        "<link name='{}'><visual><geometry><mesh filename='{}.stl'/></geometry>"
+        "</visual></link>",
+        i, i < 4 ? 0 : i);
+  }
+  const RobotFile file("<robot name='r'>" + links + "</robot>");
+  for (int i = 0; i < 10; ++i) std::ofstream(file.folder() / fmt::format("{}.stl", i)) << "x";
+  const auto notes = judge_robot(file.read(), {}).notes;
+  ASSERT_THAT(notes, SizeIs(6));
+  EXPECT_THAT(notes[0], HasSubstr("robot.urdf:1: links '0', '1', '2' and 1 other: cannot read"));
+  EXPECT_THAT(notes[1], HasSubstr("robot.urdf:1: link '4': cannot read"));
+  EXPECT_THAT(notes[5], HasSubstr("robot.urdf: 2 other meshes are not used as solids"));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace twrench::app {
 namespace {
 
 std::string report(std::string_view format, const robot::JudgedRobot& judged) {
-  if (format == "json") return robot::robot_json(judged);
+  if (format == "json") return robot::robot_json(judged, option_text);
   return format == "junit" ? robot::robot_junit(judged) : robot::robot_text(judged);
 }
 
