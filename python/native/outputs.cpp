@@ -334,10 +334,10 @@ void write_samples(const Output& to, const motion::FreeBody& body, const Array& 
 
 Output make_output(const std::string& kind, const fs::path& file,
                    const std::vector<fs::path>& inputs, bool overwrite, const std::string& format) {
-  static constexpr std::array kinds{&system::saved_motion,    &system::exported_motion,
-                                    &system::plot_output,     &system::page_output,
-                                    &system::index_output,    &system::report_output,
-                                    &system::comparison_page, &system::difference_picture};
+  static constexpr std::array kinds{
+      &system::saved_motion,    &system::exported_motion,    &system::plot_output,
+      &system::page_output,     &system::index_output,       &system::report_output,
+      &system::comparison_page, &system::difference_picture, &system::robot_page};
   const auto found = std::ranges::find(kinds, kind, &system::OutputKind::name);
   if (file == "-") throw InvalidArgument("path", "standard output is not written", "name a file");
   system::FileList files(overwrite);

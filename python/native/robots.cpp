@@ -9,9 +9,13 @@
 #include <vector>
 
 #include "base/enumeration.h"
+#include "base/words.h"
 #include "body.h"
+#include "errors.h"
+#include "film/robot_pictures.h"
 #include "module.h"
 #include "robot/repair.h"
+#include "robot/report.h"
 #include "scene/link_scene.h"
 
 namespace twrench::python {
@@ -60,6 +64,12 @@ robot::JudgedRobot judge(const std::filesystem::path& file,
   return robot::judge_robot(robot::read_robot(file), packages);
 }
 
+std::vector<std::string> notes_of(const robot::JudgedRobot& judged) {
+  std::vector<std::string> notes;
+  for (const std::string& note : judged.notes) notes.push_back(with_arguments(note, argument_text));
+  return notes;
+}
+
 /// The text of the repaired file, the changes, and the links that were not repaired, each with its
 /// reason.
 py::tuple repaired(const robot::JudgedRobot& judged, bool from_geometry) {
@@ -68,8 +78,15 @@ py::tuple repaired(const robot::JudgedRobot& judged, bool from_geometry) {
   for (const robot::Change& change : repair.changes)
     changes.append(py::make_tuple(change.link, change.reason));
   for (const robot::Unrepaired& link : repair.unrepaired)
-    unrepaired.append(py::make_tuple(link.link, link.reason));
+    unrepaired.append(py::make_tuple(link.link, with_arguments(link.reason, argument_text)));
   return py::make_tuple(py::bytes(repair.text), changes, unrepaired);
+}
+
+/// The judgement as a page, with pictures.
+std::string page_of_robot(const robot::JudgedRobot& judged, bool from_geometry) {
+  const py::gil_scoped_release others_run;
+  const robot::Repair repair = robot::repair(judged, from_geometry);
+  return robot::robot_html(judged, repair, film::robot_pictures(judged, repair, {}), argument_text);
 }
 
 Body link_as_body(const robot::JudgedRobot& judged, std::size_t link) {
@@ -87,9 +104,16 @@ void add_robots(py::module_& module) {
       .def_property_readonly(
           "format",
           [](const robot::JudgedRobot& j) { return std::string(enumerator_name(j.robot.format)); })
-      .def_readonly("notes", &robot::JudgedRobot::notes)
+      .def_property_readonly("notes", &notes_of)
       .def_property_readonly("links", &links_of)
       .def("repaired", &repaired)
+      .def("page", &page_of_robot)
+      .def_property_readonly("inputs",
+                             [](const robot::JudgedRobot& j) {
+                               std::vector<std::filesystem::path> files = j.files;
+                               files.push_back(j.robot.file);
+                               return files;
+                             })
       .def("body", &link_as_body);
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Literal, Mapping, Sequence
 
 from . import _arguments, _native, _tables
@@ -134,6 +135,26 @@ class Robot:
         """
         text, changes, unrepaired = self._native.repaired(from_mesh)
         return Repaired(text, dict(changes), dict(unrepaired))
+
+    def report(self, path: StrPath, *, from_mesh: bool = False, overwrite: bool = False) -> Path:
+        """Writes a page with the verdicts, as ``twrench inertia --report`` does.
+
+        It has pictures of links that are not good, before and after the repair.
+
+        :param path: the file, .html.
+        :param from_mesh: the kind of repair, as for :meth:`repaired`.
+        :param overwrite: replace an existing file that twrench did not write.
+        :returns: the path.
+        :raises UsageError: for another ending.
+        :raises FileError: if the file cannot be written.
+        :raises OverwriteError: if another file would be replaced.
+        :raises Error: if the pictures cannot be drawn.
+        """
+        file = Path(_arguments.path("path", path))
+        inputs = self._native.inputs
+        output = _native.Output("robot report", file, inputs, bool(overwrite), "")
+        _native.write_output(output, self._native.page(bool(from_mesh)).encode())
+        return output.path
 
     def __repr__(self) -> str:
         bad = sum(link.verdict == "impossible" for link in self.links.values())

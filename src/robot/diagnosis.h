@@ -98,6 +98,9 @@ struct Diagnosis {
   std::vector<Finding> faults = {};
   /// Mistakes that explain them. If there are several, they explain them equally well.
   std::vector<Finding> mistakes = {};
+
+  /// Returns whether the verdict is `doubtful` or `impossible`.
+  bool is_bad() const { return verdict >= Verdict::doubtful; }
 };
 
 /// A robot and the judgement on its links.

@@ -65,18 +65,23 @@ std::string section_of(std::size_t index, const JudgedRobot& judged, const Repai
 }  // namespace
 
 std::string robot_html(const JudgedRobot& judged, const Repair& repair,
-                       const std::map<std::size_t, LinkPictures>& pictures,
-                       const ArgumentWording& wording) {
+                       const RobotPictures& pictures, const ArgumentWording& wording) {
   const std::string title = text::escape_xml(judged.robot.file.filename().string());
   std::string rows, sections;
   for (const std::size_t i : worst_first(judged)) {
     const Diagnosis& diagnosis = judged.diagnoses[i];
     rows += row_of(judged.robot.links[i], diagnosis);
-    if (diagnosis.faults.empty() && diagnosis.mistakes.empty()) continue;
-    const auto found = pictures.find(i);
-    sections += section_of(i, judged, repair,
-                           found == pictures.end() ? LinkPictures() : found->second, wording);
+    if (!diagnosis.is_bad()) continue;
+    const auto found = pictures.of_links.find(i);
+    sections +=
+        section_of(i, judged, repair,
+                   found == pictures.of_links.end() ? LinkPictures() : found->second, wording);
   }
+  const std::string left_out =
+      pictures.left_out == 0
+          ? ""
+          : fmt::format(" The worst links have pictures; those of {} others are left out.",
+                        pictures.left_out);
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
       "<meta name=\"generator\" content=\"twrench inertia\">\n"
@@ -85,11 +90,11 @@ std::string robot_html(const JudgedRobot& judged, const Repair& repair,
       "<p>{2} of {3} links are impossible, {4} are doubtful. A picture shows a link as a free "
       "body, "
       "in a shell of glass: the homogeneous ellipsoid with the same mass and moments. Where the "
-      "moments are those of the link, it follows the shape.</p>\n"
+      "moments are those of the link, it follows the shape.{7}</p>\n"
       "<table>\n<tr><th>link</th><th>mass, kg</th><th>principal moments, kg m²</th>"
       "<th>verdict</th></tr>\n{5}</table>\n{6}</html>\n",
       title, style, count(judged, Verdict::impossible), judged.robot.links.size(),
-      count(judged, Verdict::doubtful), rows, sections);
+      count(judged, Verdict::doubtful), rows, sections, left_out);
 }
 
 }  // namespace twrench::robot

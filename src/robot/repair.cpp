@@ -155,9 +155,7 @@ Repair repair(const JudgedRobot& judged, bool from_geometry) {
   std::vector<Edit> edits;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const Diagnosis& diagnosis = judged.diagnoses[i];
-    const bool is_bad =
-        diagnosis.verdict == Verdict::doubtful || diagnosis.verdict == Verdict::impossible;
-    if (!is_bad) continue;
+    if (!diagnosis.is_bad()) continue;
     const Plan plan = plan_for(diagnosis, judged.geometries[i], from_geometry);
     if (!plan.body) {
       result.unrepaired.push_back({robot.links[i].name, plan.reason});

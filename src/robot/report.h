@@ -31,11 +31,15 @@ struct LinkPictures {
   std::string before, after;
 };
 
-/// Returns the judgement as a page, with the pictures of links by their indices, and what a repair
-/// would change.
+/// The pictures of a robot's links that are not good.
+struct RobotPictures {
+  std::map<std::size_t, LinkPictures> of_links = {};  ///< By their indices.
+  std::size_t left_out = 0;                           ///< Links that are too many to be drawn.
+};
+
+/// Returns the judgement as a page with pictures, and what a repair would change.
 std::string robot_html(const JudgedRobot& judged, const Repair& repair,
-                       const std::map<std::size_t, LinkPictures>& pictures,
-                       const ArgumentWording& wording);
+                       const RobotPictures& pictures, const ArgumentWording& wording);
 
 /// Returns what a repair changes and why, one line per link.
 std::string repair_text(const Repair& repair, const ArgumentWording& wording);

@@ -142,7 +142,7 @@ const OutputKind inertia_output{"inertia", inertia_formats};
 
 const OutputKind robot_output{"inertia", robot_formats};
 
-const OutputKind robot_page{"report", robot_page_formats, OutputKind::Choice::files_only};
+const OutputKind robot_page{"robot report", robot_page_formats, OutputKind::Choice::files_only};
 
 const OutputKind robot_file{"repaired robot", robot_file_formats, OutputKind::Choice::files_only};
 

@@ -143,6 +143,25 @@ TEST_F(RobotFile, HasAPageWithPicturesOfBadLinks) {
   EXPECT_EQ(run("inertia arm.urdf --report arm.txt").code, 2);
 }
 
+// Those of thousands of links would take hours. Without a mass, none is drawn here.
+TEST_F(RobotFile, HasPicturesOfTheWorstLinks) {
+  const auto page = [&](int links) {
+    std::string text = "<robot name='r'>";
+    for (int i = 0; i < links; ++i) {
+      text += fmt::format(
+          "<link name='{}'><inertial><mass value='0'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' "
+          "iyz='0' izz='1'/></inertial></link>",
+          i);
+    }
+    write("many.urdf", text + "</robot>");
+    EXPECT_EQ(run("inertia many.urdf --report many.html").code, 1);
+    return text_of(folder_ / "many.html");
+  };
+  EXPECT_THAT(page(50), Not(HasSubstr("left out")));
+  EXPECT_THAT(page(53),
+              HasSubstr("The worst links have pictures; those of 3 others are left out."));
+}
+
 TEST_F(RobotFile, MixesNoOutputsInStandardOutput) {
   const Outcome mixed = run("inertia arm.urdf --fix -");
   EXPECT_EQ(mixed.code, 2);

@@ -70,7 +70,7 @@ WITHOUT_ARGUMENT = {
     "inertia --fix": "Robot.repaired",
     "inertia --from-mesh": "Robot.repaired(from_mesh=...)",
     "inertia --format": "Body has attributes",
-    "inertia --report": "RobotLink.body is drawn by Scene",
+    "inertia --report": "Robot.report",
     "inertia --output": "Body has attributes",
     "inertia --overwrite": "Body has attributes",
     "inertia --si": "Body.si",

@@ -74,6 +74,37 @@ def test_the_repair_changes_only_numbers(robot: twrench.Robot, tmp_path: Path) -
         assert twrench.Robot.read(fixed).links["flat"].verdict == "good"
 
 
+def test_the_report_is_a_page_with_pictures(robot: twrench.Robot, tmp_path: Path) -> None:
+    file = robot.report(tmp_path / "arm.html")
+    page = file.read_text("utf-8")
+    assert page.count("<h2>") == 1 and page.count("<img") == 2
+    assert "nearest possible moments" in page
+    assert robot.report(file, from_mesh=True) == file
+    assert "nearest possible moments" not in file.read_text("utf-8")
+
+
+def test_the_report_replaces_no_other_file(robot: twrench.Robot, tmp_path: Path) -> None:
+    with pytest.raises(twrench.UsageError, match="must end in .html"):
+        robot.report(tmp_path / "arm.pdf")
+    other = tmp_path / "other.html"
+    other.write_text("mine")
+    with pytest.raises(twrench.OverwriteError):
+        robot.report(other)
+    assert other.read_text() == "mine"
+    robot.report(other, overwrite=True)
+
+
+def test_messages_name_the_arguments_of_the_module(tmp_path: Path) -> None:
+    path = tmp_path / "arm.urdf"
+    box = '<visual><geometry><mesh filename="package://p/a.stl"/></geometry></visual>'
+    inertia = '<inertia ixx="nan" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    inertial = f'<inertial><mass value="1"/>{inertia}</inertial>'
+    path.write_text(f'<robot name="r"><link name="a">{inertial}{box}</link></robot>')
+    with pytest.warns(UserWarning, match=r"contains the packages: package_path=\[...\]$"):
+        robot = twrench.Robot.read(path)
+    assert "from_mesh=True takes" in robot.repaired().unrepaired["a"]
+
+
 def test_mistakes_are_errors(tmp_path: Path) -> None:
     with pytest.raises(twrench.FileError):
         twrench.Robot.read(tmp_path / "none.urdf")

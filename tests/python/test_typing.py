@@ -62,6 +62,7 @@ twrench.compare("a", "b").junit.encode()
 twrench.study(body, [1, 0, 0], duration=1, attitude=motion.rotation, plot="a.svg")
 for path in (twrench.plot("a.svg", ["phone", scene]), twrench.report("a.md", ["phone"], fps=24)):
     print(path.name)
+print(twrench.Robot.read("a.urdf").report("a.html", from_mesh=True, overwrite=True).name)
 """
 
 #: Calls that a type checker must reject, one per line.

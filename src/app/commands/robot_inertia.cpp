@@ -1,22 +1,14 @@
 #include "app/commands/robot_inertia.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "app/options/command_line.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
 #include "base/words.h"
-#include "film/page_pictures.h"
+#include "film/robot_pictures.h"
 #include "robot/report.h"
-#include "scene/limits.h"
-#include "scene/link_scene.h"
-#include "scene/mesh_scene.h"
 #include "system/output.h"
 
 namespace twrench::app {
@@ -25,61 +17,6 @@ namespace {
 std::string report(std::string_view format, const robot::JudgedRobot& judged) {
   if (format == "json") return robot::robot_json(judged, option_text);
   return format == "junit" ? robot::robot_junit(judged) : robot::robot_text(judged);
-}
-
-/// A scene of a link with its ellipsoid of equal inertia, and nothing else.
-scene::Scene picture_of(const robot::JudgedRobot& judged, std::size_t link,
-                        const robot::LinkMass& mass) {
-  scene::Scene scene =
-      scene::body_scene(judged.robot.links[link].name, scene::link_body(judged, link, mass));
-  scene.overlay.show = {scene::Feature::inertia, scene::Feature::axes};
-  // The same before and after the repair.
-  scene.camera.azimuth = 0.6, scene.camera.elevation = 0.35;
-  return scene;
-}
-
-/// Whether a link with this inertia can be drawn: a scene can have its moments, and beside an
-/// ellipsoid that is much larger than the link, it would be a dot.
-bool is_drawable(const robot::JudgedRobot& judged, std::size_t link, const robot::LinkMass& mass) {
-  const Eigen::Vector3d moments = robot::principal_moments(mass.inertia);
-  constexpr double g_cm2 = 1e-7;  // kg m^2
-  const bool is_body = mass.mass > 0.0 && moments[0] >= g_cm2 * scene::limits::moment.low &&
-                       moments[2] <= g_cm2 * scene::limits::moment.high;
-  if (!is_body) return false;
-  const robot::LinkGeometry& geometry = judged.geometries[link];
-  double size = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
-    size = std::max(size, geometry.extent(axis) + geometry.extent(-axis));
-  }
-  constexpr double largest = 5.0;
-  return geometry.parts().empty() || std::sqrt(moments[2] / mass.mass) < largest * size;
-}
-
-/// The pictures of the links that are not good, before and after the repair.
-std::map<std::size_t, robot::LinkPictures> pictures_of(const robot::JudgedRobot& judged,
-                                                       const robot::Repair& repair) {
-  std::vector<scene::Scene> scenes;
-  std::vector<std::pair<std::size_t, std::string robot::LinkPictures::*>> places;
-  const auto add = [&](std::size_t link, const robot::LinkMass& mass,
-                       std::string robot::LinkPictures::*place) {
-    if (!is_drawable(judged, link, mass)) return;
-    scenes.push_back(picture_of(judged, link, mass));
-    places.emplace_back(link, place);
-  };
-  for (std::size_t i = 0; i < judged.diagnoses.size(); ++i) {
-    const robot::Diagnosis& diagnosis = judged.diagnoses[i];
-    if (!diagnosis.faults.empty() || !diagnosis.mistakes.empty())
-      add(i, diagnosis.body, &robot::LinkPictures::before);
-  }
-  for (const robot::Change& change : repair.changes)
-    add(change.index, change.after, &robot::LinkPictures::after);
-  std::map<std::size_t, robot::LinkPictures> result;
-  if (scenes.empty()) return result;
-  const std::vector<std::string> pictures = film::still_pictures(scenes, {});
-  for (std::size_t i = 0; i < places.size(); ++i)
-    result[places[i].first].*places[i].second = pictures[i];
-  return result;
 }
 
 }  // namespace
@@ -133,8 +70,8 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
   robot::Repair repair;
   if (page || fixed_file) repair = robot::repair(judged, repair_options.from_mesh);
   if (page) {
-    system::write_output(*page,
-                         robot_html(judged, repair, pictures_of(judged, repair), option_text));
+    system::write_output(
+        *page, robot_html(judged, repair, film::robot_pictures(judged, repair, {}), option_text));
   }
   if (fixed_file) {
     system::write_output(*fixed_file, repair.text);
