@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "base/enumeration.h"
@@ -37,29 +38,28 @@ std::string figure(const std::string& picture, const std::string& caption) {
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, caption);
 }
 
-/// The repair of a link, in one sentence.
-std::string repair_of(std::size_t index, const Link& link, const Repair& repair,
-                      const ArgumentWording& wording) {
-  const auto change = std::ranges::find(repair.changes, index, &Change::index);
-  if (change != repair.changes.end()) {
-    return fmt::format("Repair: the moments become {} kg m². Reason: {}.",
-                       moments_of(principal_moments(change->after.inertia)),
-                       text::escape_xml(change->reason));
+/// The repair of each link that needs one, in one sentence, by the names of the links.
+std::map<std::string, std::string> sentences_of(const Repair& repair,
+                                                const ArgumentWording& wording) {
+  std::map<std::string, std::string> sentences;
+  for (const Change& change : repair.changes) {
+    sentences[change.link] = fmt::format("Repair: the moments become {} kg m². Reason: {}.",
+                                         moments_of(principal_moments(change.after.inertia)),
+                                         text::escape_xml(change.reason));
   }
-  const auto left = std::ranges::find(repair.unrepaired, link.name, &Unrepaired::link);
-  if (left == repair.unrepaired.end()) return {};
-  return fmt::format("Not repaired: {}.", text::escape_xml(with_arguments(left->reason, wording)));
+  for (const Unrepaired& link : repair.unrepaired) {
+    sentences[link.link] =
+        fmt::format("Not repaired: {}.", text::escape_xml(with_arguments(link.reason, wording)));
+  }
+  return sentences;
 }
 
-std::string section_of(std::size_t index, const JudgedRobot& judged, const Repair& repair,
-                       const LinkPictures& pictures, const ArgumentWording& wording) {
-  const Link& link = judged.robot.links[index];
-  const Diagnosis& diagnosis = judged.diagnoses[index];
+std::string section_of(const Link& link, const Diagnosis& diagnosis, const std::string& repair,
+                       const LinkPictures& pictures) {
   return fmt::format(
       "<h2>{} <small>line {}</small></h2>\n<p>{}.</p>\n<p>{}</p>\n{}{}",
-      text::escape_xml(link.name), link.line, text::escape_xml(verdict_text(diagnosis)),
-      repair_of(index, link, repair, wording), figure(pictures.before, "as the file states it"),
-      figure(pictures.after, "after the repair"));
+      text::escape_xml(link.name), link.line, text::escape_xml(verdict_text(diagnosis)), repair,
+      figure(pictures.before, "as the file states it"), figure(pictures.after, "after the repair"));
 }
 
 }  // namespace
@@ -67,15 +67,16 @@ std::string section_of(std::size_t index, const JudgedRobot& judged, const Repai
 std::string robot_html(const JudgedRobot& judged, const Repair& repair,
                        const RobotPictures& pictures, const ArgumentWording& wording) {
   const std::string title = text::escape_xml(judged.robot.file.filename().string());
+  const std::map<std::string, std::string> repairs = sentences_of(repair, wording);
   std::string rows, sections;
   for (const std::size_t i : worst_first(judged)) {
+    const Link& link = judged.robot.links[i];
     const Diagnosis& diagnosis = judged.diagnoses[i];
-    rows += row_of(judged.robot.links[i], diagnosis);
+    rows += row_of(link, diagnosis);
     if (!diagnosis.is_bad()) continue;
     const auto found = pictures.of_links.find(i);
-    sections +=
-        section_of(i, judged, repair,
-                   found == pictures.of_links.end() ? LinkPictures() : found->second, wording);
+    sections += section_of(link, diagnosis, repairs.at(link.name),
+                           found == pictures.of_links.end() ? LinkPictures() : found->second);
   }
   const std::string left_out =
       pictures.left_out == 0

@@ -85,10 +85,15 @@ std::optional<std::vector<Edit>> edits_for(const Inertial& inertial, const LinkM
   return edits;
 }
 
-std::string with_edits(std::string text, std::vector<Edit> edits) {
-  std::ranges::sort(edits, std::greater(), [](const Edit& edit) { return edit.span.begin; });
-  for (const Edit& edit : edits) text.replace(edit.span.begin, edit.span.size, edit.text);
-  return text;
+std::string with_edits(std::string_view text, std::vector<Edit> edits) {
+  std::ranges::sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
+  std::string result;
+  std::size_t done = 0;
+  for (const Edit& edit : edits) {
+    result.append(text.substr(done, edit.span.begin - done)).append(edit.text);
+    done = edit.span.end();
+  }
+  return result.append(text.substr(done));
 }
 
 /// Whether all mistakes lead to the same mass properties.
