@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/words.h"
 #include "robot/formats.h"
@@ -63,6 +64,7 @@ class SdfReader {
       if (robot_.name.empty()) robot_.name = world.attribute("name").value();
       read_models(world, "");
     }
+    note_links_without_inertial();
   }
 
  private:
@@ -75,6 +77,13 @@ class SdfReader {
 
   void note(const pugi::xml_node& node, const std::string& text) {
     robot_.notes.push_back(fmt::format("{}: {}", file_.place(node), text));
+  }
+
+  void note_links_without_inertial() {
+    if (without_inertial_.empty()) return;
+    robot_.notes.push_back(fmt::format(
+        "{}: {} {} no <inertial>: SDF assumes 1 kg and moments of 1 kg m^2", file_.path().string(),
+        list_of_names(without_inertial_), without_inertial_.size() == 1 ? "has" : "have"));
   }
 
   void read_models(const pugi::xml_node& node, const std::string& prefix);
@@ -94,6 +103,7 @@ class SdfReader {
   const XmlFile& file_;
   Robot& robot_;
   bool has_several_models_ = false;
+  std::vector<std::string> without_inertial_;  ///< The names of links.
 };
 
 void SdfReader::read_models(const pugi::xml_node& node, const std::string& prefix) {
@@ -140,8 +150,7 @@ void SdfReader::read_link(const pugi::xml_node& node, const std::string& prefix)
     link.inertial->mass = {1.0};
     for (const Entry entry : {xx, yy, zz}) link.inertial->entries[entry] = {1.0};
     link.inertial->line = link.line;
-    note(node, fmt::format("link '{}' has no <inertial>: SDF assumes 1 kg and moments of 1 kg m^2",
-                           link.name));
+    without_inertial_.push_back(link.name);
   }
   robot_.links.push_back(std::move(link));
 }

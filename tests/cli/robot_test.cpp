@@ -59,6 +59,18 @@ TEST_F(RobotFile, IsJudgedLinkByLinkTheWorstFirst) {
   EXPECT_THAT(notes.at(0), HasSubstr("packages: --package-path DIR"));
 }
 
+TEST_F(RobotFile, HasAFewWarnings) {
+  std::string text = "<sdf version='1.9'><model name='m'>";
+  for (int i = 0; i < 23; ++i)
+    text += fmt::format("<link name='{}'><inertial><mass>2</mass></inertial></link>", i);
+  write("m.sdf", text + "</model></sdf>");
+  const Outcome some = run("inertia m.sdf --format json");
+  EXPECT_EQ(std::ranges::count(some.err, '\n'), 21);
+  EXPECT_THAT(some.err, HasSubstr("m.sdf: 3 other notes are not shown; see them all with inertia "
+                                  "--format json"));
+  EXPECT_EQ(json::parse(some.out)["notes"].size(), 23U);
+}
+
 TEST_F(RobotFile, HasATableWhoseColumnsFit) {
   const std::string rest =
       "\"><inertial><mass value=\"1\"/><inertia ixx=\"0.0102068936147596\" ixy=\"0\" ixz=\"0\" "

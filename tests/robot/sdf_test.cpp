@@ -74,10 +74,11 @@ TEST(Sdf, AssumesTheDefaultsOfTheFormat) {
     EXPECT_EQ(robot.link(name).inertial->matrix(), Eigen::Matrix3d::Identity());
   }
   EXPECT_EQ(robot.link("c").inertial->matrix().diagonal(), Eigen::Vector3d(3, 1, 1));
-  EXPECT_THAT(
-      robot.notes,
-      ElementsAre(HasSubstr("robot.sdf:2: link: link 'a' has no <inertial>: SDF assumes 1 kg"),
-                  HasSubstr("robot.sdf:3: inertial: it has no <inertia>")));
+  EXPECT_THAT(robot.notes,
+              ElementsAre(HasSubstr("robot.sdf:3: inertial: it has no <inertia>"),
+                          HasSubstr("robot.sdf: 'a' has no <inertial>: SDF assumes 1 kg")));
+  const Robot frames = sdf("<model name='m'><link name='a'/><link name='b'/></model>");
+  EXPECT_THAT(frames.notes, ElementsAre(HasSubstr("'a' and 'b' have no <inertial>: SDF assumes")));
 }
 
 TEST(Sdf, ReadsQuaternions) {

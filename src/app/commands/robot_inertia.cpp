@@ -6,7 +6,6 @@
 #include "app/options/command_line.h"
 #include "app/terminal/message.h"
 #include "base/enumeration.h"
-#include "base/words.h"
 #include "film/robot_pictures.h"
 #include "robot/report.h"
 #include "system/output.h"
@@ -66,7 +65,7 @@ ExitCode judge_robot(const std::string& file, const RobotOptions& robot_options,
   std::optional<system::OutputFile> page;
   if (!repair_options.page.empty())
     page = files.add_output(system::robot_page, repair_options.page);
-  for (const std::string& note : judged.notes) warn(with_arguments(note, option_text));
+  warn_of_notes(judged);
   robot::Repair repair;
   if (page || fixed_file) repair = robot::repair(judged, repair_options.from_mesh);
   if (page) {

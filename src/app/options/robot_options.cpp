@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 
 #include "app/options/arguments.h"
+#include "app/terminal/message.h"
+#include "base/words.h"
 
 namespace twrench::app {
 namespace {
@@ -52,6 +55,17 @@ std::size_t RobotOptions::index(const robot::Robot& robot) const {
   for (const robot::Link& link : robot.links) names.push_back(link.name);
   throw InvalidArgument(robot.file.string(), "it has several links, and one of them is the body",
                         fmt::format("--link NAME, which is one of {}", fmt::join(names, ", ")));
+}
+
+void warn_of_notes(const robot::JudgedRobot& judged) {
+  constexpr std::size_t most = 20;
+  const std::vector<std::string>& notes = judged.notes;
+  for (std::size_t i = 0; i < std::min(most, notes.size()); ++i)
+    warn(with_arguments(notes[i], option_text));
+  if (notes.size() > most) {
+    warn(fmt::format("{}: {} other notes are not shown; see them all with inertia --format json",
+                     judged.robot.file.string(), notes.size() - most));
+  }
 }
 
 }  // namespace twrench::app

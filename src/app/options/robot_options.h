@@ -36,4 +36,7 @@ class RobotOptions {
   std::vector<std::string> packages_;
 };
 
+/// Writes the first notes on a robot as warnings, and the number of the others.
+void warn_of_notes(const robot::JudgedRobot& judged);
+
 }  // namespace twrench::app

@@ -272,7 +272,7 @@ SceneOptions::Loaded SceneOptions::load(const std::string& name) const {
   if (mesh::is_mesh_name(name)) return {mesh_.scene(name)};
   if (robot::is_robot_name(name)) {
     robot::JudgedRobot judged = robot_.read(name);
-    for (const std::string& note : judged.notes) warn(with_arguments(note, option_text));
+    warn_of_notes(judged);
     const std::size_t link = robot_.index(judged.robot);
     return {.original = scene::body_scene(robot_.link(), scene::link_body(judged, link)),
             .robot_files = std::move(judged.files)};
