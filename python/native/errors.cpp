@@ -141,7 +141,7 @@ bool is_number(std::string_view text) {
 
 std::string argument_text(std::string_view name, std::string_view value) {
   if (name == "from-mesh") return "from_mesh=True";
-  if (name == "package-path") return "package_path=[...]";
+  if (name == "package-path") return fmt::format("package_path=[\"{}\"]", value);
   if (value.empty()) return std::string(name) + (name == "fit" || name == "inverse" ? "=True" : "");
   if (name == "inertia") return fmt::format("body=Body(moments={})", list(value));
   const bool is_time = name == "from" || name == "to";  // "from" is a keyword of Python

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "base/words.h"
@@ -302,6 +303,12 @@ Vector3d principal_moments(const Matrix3d& inertia) {
 bool is_possible(const LinkMass& body) { return !impossibility(body); }
 
 JudgedRobot judge_robot(Robot robot, const std::vector<std::filesystem::path>& packages) {
+  for (const std::filesystem::path& folder : packages) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) continue;
+    throw InvalidArgument(argument("package-path", folder.string()), "there is no such folder",
+                          "name one that contains packages or models");
+  }
   JudgedRobot judged;
   judged.robot = std::move(robot);
   judged.notes = judged.robot.notes;

@@ -116,7 +116,8 @@ struct JudgedRobot {
 };
 
 /// Reads the meshes of a robot and judges its links. `packages` are folders in which packages and
-/// models are looked for. A mesh that cannot be read is a note.
+/// models are looked for. A mesh that cannot be read is a note. Throws InvalidArgument about a
+/// package that is no folder.
 JudgedRobot judge_robot(Robot robot, const std::vector<std::filesystem::path>& packages);
 
 }  // namespace twrench::robot

@@ -59,6 +59,15 @@ TEST_F(RobotFile, IsJudgedLinkByLinkTheWorstFirst) {
   EXPECT_THAT(notes.at(0), HasSubstr("packages: --package-path DIR"));
 }
 
+TEST_F(RobotFile, RefusesPackagesThatAreNoFolders) {
+  for (const char* place : {"nowhere", "arm.urdf"}) {
+    const Outcome refused = run(fmt::format("inertia arm.urdf --package-path {}", place));
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err,
+                HasSubstr(fmt::format("--package-path {}: there is no such folder", place)));
+  }
+}
+
 TEST_F(RobotFile, HasAFewWarnings) {
   std::string text = "<sdf version='1.9'><model name='m'>";
   for (int i = 0; i < 23; ++i)

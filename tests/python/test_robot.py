@@ -100,9 +100,11 @@ def test_messages_name_the_arguments_of_the_module(tmp_path: Path) -> None:
     inertia = '<inertia ixx="nan" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
     inertial = f'<inertial><mass value="1"/>{inertia}</inertial>'
     path.write_text(f'<robot name="r"><link name="a">{inertial}{box}</link></robot>')
-    with pytest.warns(UserWarning, match=r"contains the packages: package_path=\[...\]$"):
+    with pytest.warns(UserWarning, match=r"contains the packages: package_path=\[.DIR.\]$"):
         robot = twrench.Robot.read(path)
     assert "from_mesh=True takes" in robot.repaired().unrepaired["a"]
+    with pytest.raises(twrench.UsageError, match=r'package_path=\["none"\]: there is no such'):
+        twrench.Robot.read(path, package_path=["none"])
 
 
 def test_mistakes_are_errors(tmp_path: Path) -> None:
