@@ -105,7 +105,7 @@ ZipArchive::ZipArchive(ZipBytes bytes) : state_(std::make_unique<State>(std::mov
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_function_create(read_bytes<State>, state_.get(), &error);
-  if (source) state_->archive = zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error);
+  if (source) state_->archive = zip_open_from_source(source, ZIP_RDONLY, &error);
   const std::string why = zip_error_strerror(&error);
   zip_error_fini(&error);
   if (!state_->archive) {

@@ -180,7 +180,11 @@ class ThreeMfReader {
     if (!is_new) return part;
     part.name = name;
     const archive::ZipMember* found = member(name);
-    if (!found) throw damaged(name, "the archive has no such file");
+    if (!found) {
+      throw system::FileError("cannot read " + source_.name,
+                              fmt::format("the archive has no file '{}'", name.substr(0, 80)),
+                              "save it again as 3MF");
+    }
     part.text = unpack(*found);
     parse(part.text, name, part.document);
     if (part.root().name() != std::string_view("model"))

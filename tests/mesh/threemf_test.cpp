@@ -177,7 +177,8 @@ TEST(ThreeMf, ReadsPartsInOtherFilesOfTheArchive) {
               HasSubstr("a.3mf: 3D/Objects/part.model: <component objectid=\"1\">: it refers to "
                         "another file"));
   model.items = "<item objectid=\"1\" p:path=\"/3D/none.model\"/>";
-  EXPECT_THAT(refusal(file(), "a.3mf"), HasSubstr("3D/none.model: the archive has no such file"));
+  EXPECT_THAT(refusal(file(), "a.3mf"),
+              HasSubstr("cannot read a.3mf: the archive has no file '3D/none.model'"));
 }
 
 TEST(ThreeMf, IsKnownByItsContentWhateverItsName) {
@@ -190,7 +191,12 @@ TEST(ThreeMf, IsKnownByItsContentWhateverItsName) {
   EXPECT_THAT(refusal(archive_of({{"_rels/.rels", "<Relationships/>"}}), "a.3mf"),
               HasSubstr("it is a ZIP archive without a 3D model"));
   EXPECT_THAT(refusal(archive_of({{"_rels/.rels", relations}}), "a.3mf"),
-              HasSubstr("a.3mf: 3D/3dmodel.model: the archive has no such file"));
+              HasSubstr("cannot read a.3mf: the archive has no file '3D/3dmodel.model'"));
+}
+
+// As other readers do: the checksums of the files in it show whether they are intact.
+TEST(ThreeMf, MayHaveBytesAfterTheArchive) {
+  EXPECT_EQ(refusal(file_of(cube_model().text()) + "more", "a.3mf"), "nothing");
 }
 
 TEST(ThreeMf, RefusesDamagedArchivesInOneLine) {
