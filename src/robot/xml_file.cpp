@@ -68,6 +68,12 @@ std::string text_of_file(const std::filesystem::path& file) {
   return {bytes.begin(), bytes.end()};
 }
 
+bool begins_like_xml(std::string_view text) {
+  text = system::without_byte_order_mark(text);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '<';
+}
+
 std::string remedy_for(std::string_view word) {
   const std::size_t comma = word.find(',');
   if (comma == std::string_view::npos) return "write numbers such as 0.5 or 1e-3";
@@ -84,8 +90,7 @@ XmlFile::XmlFile(const std::filesystem::path& file) : XmlFile(text_of_file(file)
 XmlFile::XmlFile(std::string text, const std::filesystem::path& file)
     : path_(file), text_(std::move(text)) {
   const std::string what = "cannot read " + file.string();
-  if (const auto kind = system::recognized_file_kind(text_);
-      kind && text_.find("<") == std::string::npos) {
+  if (const auto kind = system::recognized_file_kind(text_); kind && !begins_like_xml(text_)) {
     throw system::FileError(what, fmt::format("it is {}", *kind),
                             "give a robot description in URDF, SDF or MJCF, with text in UTF-8");
   }

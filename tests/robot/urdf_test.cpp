@@ -126,6 +126,8 @@ TEST(Urdf, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal(robot_of("<link/>")), HasSubstr("robot.urdf:3: link: it has no attribute"));
   EXPECT_THAT(refusal(robot_of("")), HasSubstr("it has no links"));
   EXPECT_THAT(refusal("<a/>"), HasSubstr("5 cannot read"));
+  EXPECT_THAT(refusal("PK\3\4 <robot/>"), HasSubstr("robot.urdf: it is a ZIP archive"));
+  EXPECT_THAT(refusal("\xEF\xBB\xBF\n<!DOCTYPE html><robot/>"), HasSubstr("it has no links"));
   EXPECT_THAT(refusal("<robot><link name='a'>"), HasSubstr("cut off or damaged"));
   EXPECT_THAT(refusal("<!DOCTYPE robot [<!ENTITY a 'xx'><!ENTITY b '&a;&a;'>]>" +
                       robot_of(link_of("<inertial><mass value='&b;'/><inertia/></inertial>"))),
