@@ -23,12 +23,18 @@ namespace {
 
 namespace py = pybind11;
 
+/// A text of the file as Python's str. Bytes that are not UTF-8 are escaped.
+py::str str_of(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace"));
+}
+
 py::dict finding_of(const robot::Finding& finding) {
   py::dict result;
   result["fault"] = std::string(enumerator_name(finding.fault));
-  result["text"] = finding.text;
+  result["text"] = str_of(finding.text);
   result["misfit"] = finding.misfit;
-  result["geometry"] = finding.model;
+  result["geometry"] = str_of(finding.model);
   return result;
 }
 
@@ -44,7 +50,7 @@ py::list links_of(const robot::JudgedRobot& judged) {
   for (std::size_t i = 0; i < judged.robot.links.size(); ++i) {
     const robot::Diagnosis& diagnosis = judged.diagnoses[i];
     py::dict link;
-    link["name"] = judged.robot.links[i].name;
+    link["name"] = str_of(judged.robot.links[i].name);
     link["line"] = judged.robot.links[i].line;
     link["verdict"] = std::string(enumerator_name(diagnosis.verdict));
     link["mass"] = diagnosis.body.mass;
@@ -64,9 +70,10 @@ robot::JudgedRobot judge(const std::filesystem::path& file,
   return robot::judge_robot(robot::read_robot(file), packages);
 }
 
-std::vector<std::string> notes_of(const robot::JudgedRobot& judged) {
-  std::vector<std::string> notes;
-  for (const std::string& note : judged.notes) notes.push_back(with_arguments(note, argument_text));
+py::list notes_of(const robot::JudgedRobot& judged) {
+  py::list notes;
+  for (const std::string& note : judged.notes)
+    notes.append(str_of(with_arguments(note, argument_text)));
   return notes;
 }
 
@@ -76,9 +83,10 @@ py::tuple repaired(const robot::JudgedRobot& judged, bool from_geometry) {
   const robot::Repair repair = robot::repair(judged, from_geometry);
   py::list changes, unrepaired;
   for (const robot::Change& change : repair.changes)
-    changes.append(py::make_tuple(change.link, change.reason));
+    changes.append(py::make_tuple(str_of(change.link), str_of(change.reason)));
   for (const robot::Unrepaired& link : repair.unrepaired)
-    unrepaired.append(py::make_tuple(link.link, with_arguments(link.reason, argument_text)));
+    unrepaired.append(
+        py::make_tuple(str_of(link.link), str_of(with_arguments(link.reason, argument_text))));
   return py::make_tuple(py::bytes(repair.text), changes, unrepaired);
 }
 
@@ -100,7 +108,8 @@ Body link_as_body(const robot::JudgedRobot& judged, std::size_t link) {
 void add_robots(py::module_& module) {
   py::class_<robot::JudgedRobot>(module, "JudgedRobot")
       .def(py::init(&judge))
-      .def_property_readonly("name", [](const robot::JudgedRobot& j) { return j.robot.name; })
+      .def_property_readonly("name",
+                             [](const robot::JudgedRobot& j) { return str_of(j.robot.name); })
       .def_property_readonly(
           "format",
           [](const robot::JudgedRobot& j) { return std::string(enumerator_name(j.robot.format)); })

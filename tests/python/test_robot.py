@@ -107,6 +107,15 @@ def test_messages_name_the_arguments_of_the_module(tmp_path: Path) -> None:
         twrench.Robot.read(path, package_path=["none"])
 
 
+def test_bytes_that_are_no_text_are_escaped(tmp_path: Path) -> None:
+    path = tmp_path / "arm.urdf"
+    path.write_bytes(ARM.encode().replace(b"flat", b"fl\xe4t").replace(b"none", b"n\xf6ne"))
+    with pytest.warns(UserWarning, match=r"n\\xf6ne.stl"):
+        robot = twrench.Robot.read(path)
+    assert "fl\\xe4t" in robot.links and list(robot.repaired().changes) == ["fl\\xe4t"]
+    assert "fl\\xe4t" in robot.report(tmp_path / "arm.html").read_text("utf-8")
+
+
 def test_mistakes_are_errors(tmp_path: Path) -> None:
     with pytest.raises(twrench.FileError):
         twrench.Robot.read(tmp_path / "none.urdf")
