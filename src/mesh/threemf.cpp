@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <pugixml.hpp>
@@ -30,6 +31,10 @@ using pugi::xml_node;
 /// Bytes of all parts that are read, when unpacked. Their elements take several times as much
 /// memory.
 constexpr std::size_t most_unpacked = std::size_t{256} << 20U;
+
+/// Elements of a part, each of which takes much more memory than its bytes. The vertices and the
+/// triangles of so many bytes are fewer.
+constexpr std::ptrdiff_t most_elements = 10'000'000;
 
 /// Without repetition, there are no more triangles in these bytes.
 constexpr std::size_t most_triangles =
@@ -151,6 +156,11 @@ class ThreeMfReader {
 
   /// Parses the text in place. Only the five entities of XML are expanded.
   void parse(std::string& text, const std::string& name, pugi::xml_document& document) const {
+    if (std::ranges::count(text, '<') > most_elements) {
+      throw system::FileError(fmt::format("cannot read {}: {}", source_.name, name),
+                              fmt::format("it has more than {} elements", most_elements),
+                              "save it with fewer triangles, or as binary STL");
+    }
     const pugi::xml_parse_result parsed = document.load_buffer_inplace(text.data(), text.size());
     if (parsed) return;
     throw damaged(name, fmt::format("the XML document is cut off or damaged at byte {}: {}",

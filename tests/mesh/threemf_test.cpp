@@ -284,15 +284,20 @@ TEST(ThreeMf, BoundsItsWork) {
               HasSubstr("repeated more than 1000000 times"));
   const std::string many = object_of(ball_with_open_poles(50, 50, 0.0), 41);
   EXPECT_THAT(doubled(many), HasSubstr("repeat its meshes to more than 8388608 triangles"));
-  // 300 MB of white space take 1 MB.
-  const auto quickly = [](zip_t* archive) {
-    zip_set_file_compression(archive, 0, ZIP_CM_DEFLATE, 1);
+  const auto refusal_of_part = [](const std::string& part) {
+    const auto quickly = [](zip_t* archive) {
+      zip_set_file_compression(archive, 0, ZIP_CM_DEFLATE, 1);
+    };
+    return refusal(archive_of({{name_of_root, part}, {"_rels/.rels", relations}}, quickly),
+                   "a.3mf");
   };
-  EXPECT_THAT(refusal(archive_of({{name_of_root, std::string(300'000'000, ' ')},
-                                  {"_rels/.rels", relations}},
-                                 quickly),
-                      "a.3mf"),
+  // They take 1 MB and 200 kB.
+  EXPECT_THAT(refusal_of_part(std::string(300'000'000, ' ')),
               HasSubstr("cannot read a.3mf: its models have more than 268435456 bytes"));
+  std::string elements;
+  for (int i = 0; i <= 10'000'000; ++i) elements += "<a/>";
+  EXPECT_THAT(refusal_of_part(elements),
+              HasSubstr("cannot read a.3mf: 3D/3dmodel.model: it has more than 10000000 elements"));
 }
 
 // No entity is expanded.
