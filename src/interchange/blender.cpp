@@ -16,10 +16,13 @@ namespace {
 constexpr double slowest_rate = 1e-6;  // frames per second
 constexpr double most_frames = 1'048'574;
 
+// The name comes after the second line, up to which Python looks for the coding of the file.
 constexpr const char* script_head =
-    R"(# Written by {generator}: the rotation of {name} as an animation for Blender 3.4 or later.
+    R"(# Written by {generator} as an animation for Blender 3.4 or later.
 #
-# Run it with "blender SCENE.blend --python THIS_FILE.py", or open it in Blender's Scripting workspace. It
+# It is the rotation of {name}.
+#
+# Run it with "blender SCENE.blend -P THIS_FILE.py", or open it in Blender's Scripting workspace. It
 # animates the object that OBJECT names. If there is none, it makes an empty with three arrows; make it the
 # parent of objects that shall turn. The axes of the object are those of the body, and the axes of the world
 # are those of space. It replaces earlier keys of the object's quaternion, the frame rate of the scene and its

@@ -348,7 +348,8 @@ void show_recording(scene::Scene& scene, const Recording& recording,
 void show_own_recording(scene::Scene& scene) {
   const std::shared_ptr<const scene::RecordingFile> own = scene.motion.recording_file;
   const Recording whole(own->path);
-  play(scene, whole.between({own->from, own->to}), own->convention, Body::known, own->smoothing);
+  play(scene, whole.between({own->from, own->to}), own->convention, Body::known,
+       own->smooth ? recording::Smoothing::within_noise : recording::Smoothing::none);
 }
 
 }  // namespace twrench::replay

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "recording/conventions/convention.h"
-#include "recording/motion_of_rows.h"
 
 namespace twrench::scene {
 
@@ -19,7 +18,7 @@ struct RecordingFile {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
   /// Whether the noise of the rows is removed.
-  recording::Smoothing smoothing = recording::Smoothing::none;
+  bool smooth = false;
   /// How it is read, as far as the scene file states it.
   recording::Convention convention = {};
   /// The recording_keys() that are given, with their values, as the text of a JSON object.

@@ -95,7 +95,7 @@ RecordingFile recording_file(const ordered_json& keys, const std::filesystem::pa
   RecordingFile file{.file = keys.at(recording_file_key).get<std::string>(), .path = path};
   file.from = time_in(keys, "from", file.from, name_of);
   file.to = time_in(keys, "to", file.to, name_of);
-  if (keys.value("smooth", false)) file.smoothing = recording::Smoothing::within_noise;
+  file.smooth = keys.value("smooth", false);
   file.convention = convention_of(keys, name_of);
   file.keys = keys.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
   return file;

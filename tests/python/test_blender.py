@@ -164,3 +164,11 @@ def test_more_frames_than_blender_has_are_refused(tmp_path):
     with pytest.raises(twrench.UsageError, match="but Blender has at most 1048574"):
         Scene("stable-y", duration=20000).export(tmp_path / "a.py")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_name_of_a_scene_is_no_coding(tmp_path):
+    script = tmp_path / "a.py"
+    scene = Scene.from_toml("", "coding: nonsense.toml")
+    scene.export(script)
+    compile(script.read_bytes(), "a.py", "exec")
+    assert b"coding: nonsense" in script.read_bytes()

@@ -11,7 +11,7 @@ namespace {
 constexpr double components_aspect = 1.3;  // width / height, of nine panels in a square
 constexpr double strip_aspect = 4.75;      // of nine in a row
 constexpr double curve_aspect = 1.9;
-constexpr double least_angle_width = 14, least_angle_height = 5;  // em of the captions
+constexpr double least_angle_width = 14, least_angle_height = 7;  // em of the captions
 constexpr double least_stretch = 0.85;                            // of a plot beside squares
 constexpr double most_stretch = 1.5;                              // of a plot
 constexpr double most_insets = 0.65;                              // of a long picture

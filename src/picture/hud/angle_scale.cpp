@@ -45,8 +45,11 @@ void AngleScale::draw(canvas::Canvas& canvas, const canvas::Font& font,
   const int first = is_whole ? 1 : exponent_of(greatest), last = exponent_of(least);
   const double apart = y(degree) - y(10 * degree);
   const int every = std::max(1, static_cast<int>(std::ceil(1.2 * size / std::abs(apart))));
+  const double free =
+      is_whole ? y(greatest) + 1.2 * size : plot.y;  // below the number of 180 degrees
   for (int exponent = first; exponent >= last; exponent -= every) {
-    line(std::pow(10, exponent) * degree, text_of(exponent));
+    const double angle = std::pow(10, exponent) * degree;
+    if (y(angle) >= free) line(angle, text_of(exponent));
   }
 }
 

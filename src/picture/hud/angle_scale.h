@@ -4,7 +4,7 @@
 
 #include "canvas/canvas.h"
 #include "canvas/typesetting.h"
-#include "image/area.h"
+#include "picture/compose/layout.h"
 #include "picture/look/theme.h"
 
 namespace twrench::picture {

@@ -4,6 +4,7 @@
 #include <twrench/math/so3.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "picture/overlay_scene.h"
@@ -73,10 +74,12 @@ TEST(Layout, ShowsAnglesBesideTheCurveOfAComparison) {
   scene::Scene starts = film_of(1280, 720);
   starts.overlay.compare_omega = {{0, 1, 0}, {1, 0, 0}};
   EXPECT_FALSE(compute_layout(starts).angle);  // other motions are not wrong
-  scene::Scene small = comparison({"rk4", "exact"});
-  small.film.width = 320;
-  small.film.height = 180;
-  EXPECT_FALSE(compute_layout(small).angle);
+  for (const auto& [width, height] : {std::pair(320, 180), {640, 200}, {400, 300}}) {
+    scene::Scene small = comparison({"rk4", "exact"});
+    small.film.width = width;
+    small.film.height = height;
+    EXPECT_FALSE(compute_layout(small).angle) << width;  // its numbers would overlap
+  }
 }
 
 }  // namespace
