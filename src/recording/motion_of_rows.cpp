@@ -239,18 +239,20 @@ MotionOfRows motion_of_rows(const Recording& recording, const Convention& conven
   double drift = 0;
   for (const std::span<Instant> part : parts) {
     const double widest = widest_turn(recording, part, has_rates);
+    if (!has_attitude) {
+      if (part.data() != rows.data()) part.front().X = (part.data() - 1)->X;  // held in the gap
+      integrate_rates(part);
+      drift += drift_of(part);
+    }
     switch (smoothing) {
       case Smoothing::none:
         break;
       case Smoothing::within_noise:
         smooth(part, noise);
+        if (!has_attitude) integrate_rates(part);  // the drift remains that of the noise
         break;
     }
     if (!has_rates) derive_rates(part, widest);
-    if (has_attitude) continue;
-    if (part.data() != rows.data()) part.front().X = (part.data() - 1)->X;  // held in the gap
-    integrate_rates(part);
-    drift += drift_of(part);
   }
   return {.motion = {std::move(rows), longest_step},
           .clock_start = reader.first_time(),

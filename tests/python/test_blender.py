@@ -168,7 +168,7 @@ def test_more_frames_than_blender_has_are_refused(tmp_path):
 
 def test_the_name_of_a_scene_is_no_coding(tmp_path):
     script = tmp_path / "a.py"
-    scene = Scene.from_toml("", "coding: nonsense.toml")
+    scene = Scene.from_toml("[body]\nmoments = [2, 3, 4]\n", "coding: nonsense.toml")
     scene.export(script)
     compile(script.read_bytes(), "a.py", "exec")
     assert b"coding: nonsense" in script.read_bytes()

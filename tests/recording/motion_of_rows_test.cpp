@@ -268,6 +268,13 @@ TEST(MotionOfRows, SmoothingRemovesNoMoreThanTheNoise) {
   EXPECT_NEAR(std::sqrt(squares / 3003) / *rows.noise.rates, 1, 0.01);
 }
 
+TEST(MotionOfRows, SmoothingHidesNoDrift) {
+  const std::string text = noisy_table(
+      Contents::rates, [](int i) { return 0.02 * i; }, 1001);
+  EXPECT_GT(motion_of(text).drift, 1e-3);
+  EXPECT_EQ(smooth_motion_of(text).drift, motion_of(text).drift);
+}
+
 TEST(MotionOfRows, SmoothingKeepsDigits) {
   for (const Contents columns : {Contents::both, Contents::attitudes, Contents::rates}) {
     const std::string text = table_of(

@@ -102,6 +102,7 @@ class Search {
   }
 
   Alternatives run() {
+    if (stands_still()) return {};
     if (has_rates_) try_rates_in_body();
     if (has_rates_ && has_attitude_ && open_ == Open::all) try_rates_in_space();
     if (!has_rates_) try_attitude_alone();
@@ -110,6 +111,19 @@ class Search {
   }
 
  private:
+  /// Whether the attitude never changes although the rates turn the body: no reading mends that.
+  bool stands_still() const {
+    if (!has_rates_ || !has_attitude_ || variants_.empty()) return false;
+    constexpr double turned = 1;  // rad
+    const std::vector<Row>& rows = variants_.front().rows;
+    double angle = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      if (rows[i].X != rows[0].X) return false;
+      angle += (rows[i].t - rows[i - 1].t) * rows[i].omega.norm();
+    }
+    return angle > turned;
+  }
+
   bool any_fits_well() const {
     constexpr double well = 1e-3;
     return std::ranges::any_of(found_,

@@ -228,7 +228,8 @@ void add_limits(Judgement& judgement, const Comparison& comparison) {
 
 /// Whether the noise explains what the best initial state leaves.
 bool is_noise_left_by(const Fit& fit, const Judgement& judgement) {
-  constexpr double about = 1.2;
+  // The fewer rows, the less precisely the noise is known.
+  const double about = 1.2 * std::exp(2 / std::sqrt(static_cast<double>(judgement.rows)));
   const auto is_left = [&](const std::optional<double>& residual, double noise, double limit) {
     return !residual || *residual <= about * noise + limit;
   };
@@ -372,7 +373,9 @@ Judgement judge(const Recording& recording, const recording::Convention& convent
   judgement.quaternion_length = reader.quaternion_length();
   const Noise scatter{deviation_of(comparison.spans(), &Span::rate_differences),
                       deviation_of(comparison.spans(), &Span::attitude_differences)};
-  judgement.digits = digits_of(reader, comparison, scatter);
+  constexpr std::size_t enough_for_digits = 56;  // fewer hide that a single row is off
+  judgement.digits =
+      digits_of(reader, comparison, comparison.rows() < enough_for_digits ? Noise{} : scatter);
   if (are_errors_smooth(judgement)) judgement.noise = scatter;
   judgement.rate_resolution = reader.rate_resolution();
   judgement.attitude_resolution = reader.attitude_resolution();

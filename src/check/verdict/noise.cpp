@@ -41,12 +41,20 @@ std::optional<DifferenceSums> DifferenceTable::add(double t, const Eigen::Vector
 std::optional<double> noise(const DifferenceSums& all, const DifferenceSums& first_quarter,
                             const DifferenceSums& last_quarter) {
   constexpr double fewest = 8;  // with fewer, the ratios below mean nothing
-  if (first_quarter.count < fewest || last_quarter.count < fewest) return std::nullopt;
+  if (all.count < fewest) return std::nullopt;
   Eigen::Index most = 0;
   const double variance = (all.sixth / all.count).maxCoeff(&most);
   const auto mean = [most](const DifferenceSums& sums) { return sums.sixth[most] / sums.count; };
-  const bool independent = alike(variance, all.fourth[most] / all.count, 1.3);
-  const bool steady = alike(mean(first_quarter), mean(last_quarter), 2);
+  // A deviation that is estimated from few rows is off by a factor, the logarithm of which has the
+  // standard deviation 0.9 / sqrt(count) beside another difference of the same rows, and 3.5 /
+  // sqrt(count) between the quarters. Three of them are allowed.
+  const double few = 1 / std::sqrt(all.count);
+  const bool independent =
+      alike(variance, all.fourth[most] / all.count, std::max(1.3, std::exp(2.6 * few)));
+  constexpr double fewest_in_quarter = 4;
+  const bool steady =
+      std::min(first_quarter.count, last_quarter.count) < fewest_in_quarter ||
+      alike(mean(first_quarter), mean(last_quarter), std::max(2.0, std::exp(10.4 * few)));
   if (!independent || !steady) return std::nullopt;
   return std::sqrt(variance);
 }

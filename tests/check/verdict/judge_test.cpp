@@ -367,6 +367,18 @@ TEST(Judge, FindsTheMotionInNoiseOfAnyKind) {
   }
 }
 
+TEST(Judge, KnowsTheNoiseOfFewRows) {
+  for (const std::size_t count : {20U, 40U, 80U}) {
+    for (const Parts parts : {Parts::both, Parts::attitude, Parts::rates}) {
+      for (std::uint32_t seed = 0; seed < 4; ++seed) {
+        std::vector<Row> rows = rows_with_noise(0.02, 0.005, seed);
+        rows.resize(count);
+        EXPECT_TRUE(judged(rows, parts, tumbling_problem()).within_noise) << count << " " << seed;
+      }
+    }
+  }
+}
+
 // Even strong noise does not hide a law that is wrong by a few percent.
 TEST(Judge, FindsNoOtherMotionInNoise) {
   Problem other = tumbling_problem();
