@@ -266,8 +266,9 @@ bool are_noise(const Judgement& judgement, const ReadRecording& read, const Prob
   const double grown =
       std::max(growth.back().rates / speed, judgement.has_attitude ? growth.back().attitude : 0);
   constexpr double much = 0.1;  // if errors grow so much, wrong motions are within the limits, too
+  if (judgement.fit && !is_noise_left_by(*judgement.fit, judgement)) return false;
   if (initial * grown > much) {
-    if (judgement.fit) return is_noise_left_by(*judgement.fit, judgement);
+    if (judgement.fit) return true;
     // Errors of more than half a turn hide the noise, which shows beside the motion that fits best.
     Problem of_fit = problem;
     of_fit.fit = true;
