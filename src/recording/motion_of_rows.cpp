@@ -197,7 +197,7 @@ RowNoise noise_of(std::span<const std::span<Instant>> parts, bool has_attitude, 
 
 /// Replaces the rows between two gaps by smoother ones.
 void smooth(std::span<Instant> rows, const RowNoise& noise) {
-  constexpr std::size_t fewest = 8;  // with fewer, the noise cannot be told from the motion
+  constexpr std::size_t fewest = 8;  // fewer rows do not distinguish the noise from the motion
   if (rows.size() < fewest) return;
   const std::vector<double> times = times_of(rows);
   if (noise.attitude) {

@@ -10,7 +10,7 @@
 
 namespace twrench::recording {
 
-/// What is done about the noise of rows.
+/// How a motion through rows treats their noise.
 enum class Smoothing {
   none,          ///< The motion goes through the rows.
   within_noise,  ///< It is the smoothest one that differs from the rows by no more than their

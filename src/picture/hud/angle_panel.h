@@ -26,7 +26,7 @@ class AnglePanel : public Element {
 
   const OverlayColors& colors_;
   double duration_;        ///< Duration of the motion in s.
-  double thickness_;       ///< Of a curve, in px.
+  double thickness_;       ///< Thickness of a curve in px.
   std::size_t reference_;  ///< Index of the motion from which the angles are.
   std::vector<std::vector<canvas::Canvas::Point>> curves_;  ///< That of the reference is empty.
   AngleScale scale_;
