@@ -9,6 +9,7 @@
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "check/verdict/error.h"
 #include "check/verdict/exact_rows.h"
@@ -172,28 +173,22 @@ MatrixXd covariance_of(const Residuals& residuals) {
   return left.squaredNorm() / static_cast<double>(freedom) * inverse_of_squares(jacobian);
 }
 
-CheckError undetermined_inertia(const std::string& name) {
-  return {name,
-          "its motion does not determine the ratios of the moments: it hardly differs from a "
-          "steady spin, or from its noise",
-          CheckError::Reason::no_inertia};
-}
-
-/// Throws CheckError if the rows do not determine the ratios of the moments.
-FittedInertia inertia_of(const std::string& name, const Reference& reference,
-                         const MatrixXd& covariance, Eigen::Index numbers) {
+/// The fitted inertia; nothing if the rows do not determine the ratios of the moments.
+std::optional<FittedInertia> inertia_of(const Reference& reference, const MatrixXd& covariance,
+                                        Eigen::Index numbers) {
+  if (!covariance.allFinite()) return std::nullopt;
   Eigen::Matrix<double, 5, 5> of_change = Eigen::Matrix<double, 5, 5>::Zero();
   of_change.topLeftCorner(numbers, numbers) = covariance.bottomRightCorner(numbers, numbers);
   const FittedInertia found = fitted_inertia(reference.body.inertia(), of_change);
   // Beyond this condition, rows that are exact to round-off look determined.
   const VectorXd variances = Eigen::SelfAdjointEigenSolver<MatrixXd>(covariance).eigenvalues();
   constexpr double worst = 1e10;
-  if (!(variances.maxCoeff() < worst * variances.minCoeff())) throw undetermined_inertia(name);
+  if (!(variances.maxCoeff() < worst * variances.minCoeff())) return std::nullopt;
   constexpr double most = 0.2;  // relative
-  const bool is_determined =
-      found.deviation.allFinite() && (found.deviation.array() < most * found.moments.array()).all();
-  if (!is_determined) throw undetermined_inertia(name);
-  return found;
+  const bool is_determined = found.moments[2] < 0.99 * most_ratio_of_moments &&
+                             found.deviation.allFinite() &&
+                             (found.deviation.array() < most * found.moments.array()).all();
+  return is_determined ? std::optional(found) : std::nullopt;
 }
 
 Fit result(const std::string& name, const Reference& reference, std::span<const Row> rows,
@@ -202,15 +197,15 @@ Fit result(const std::string& name, const Reference& reference, std::span<const 
   const MatrixXd covariance = covariance_of(residuals);
   const RootMeanSquares left = root_mean_squares(residuals_of(residuals), weights);
   const double speed = reference.body.omega().norm();
-  if (weights.inertia_numbers > 0 && !covariance.allFinite()) throw undetermined_inertia(name);
-  if (!covariance.allFinite() || !std::isfinite(left.rates + left.attitude) ||
-      !std::isfinite(speed)) {
+  const bool is_determined =
+      covariance.allFinite() && std::isfinite(left.rates + left.attitude) && std::isfinite(speed);
+  if (weights.inertia_numbers == 0 && !is_determined) {
     throw CheckError(name, "its rows do not determine a state", CheckError::Reason::no_fit);
   }
   Fit fit{reference, {}, speed * speed * covariance.topLeftCorner<3, 3>(), {}, {}, {}, rows.size()};
   fit.omega_deviation = fit.omega_covariance.diagonal().cwiseSqrt();
   if (weights.inertia_numbers > 0)
-    fit.inertia = inertia_of(name, reference, covariance, weights.inertia_numbers);
+    fit.inertia = inertia_of(reference, covariance, weights.inertia_numbers);
   if (weights.rates > 0) fit.rate_residual = left.rates;
   if (weights.attitude > 0) {
     fit.attitude_residual = left.attitude;
@@ -229,6 +224,7 @@ Weights fit_with_weights(Reference& reference, std::span<const Row> rows, Weight
   weights.rates /= most;  // so that the search ends at the same relative change
   weights.attitude /= most;
   reference = improved(reference, rows, weights, stop);
+  if (weights.inertia_numbers > 0) return weights;  // only rates are fitted, in any unit
   for (int i = 0; i < most_repetitions; ++i) {
     const RootMeanSquares left =
         root_mean_squares(residuals_of(Residuals(reference, rows, weights)), weights);
@@ -291,16 +287,36 @@ Fit fit(const std::string& name, const Matrix3d& inertia, std::span<const Row> r
 
 namespace {
 
-/// Fits the first numbers of the change of an inertia; nothing if the rates do not determine them.
-std::optional<Fit> fit_with_inertia(const std::string& name, const Matrix3d& inertia,
-                                    std::span<const Row> rows, std::size_t count,
-                                    Eigen::Index numbers, const std::atomic<bool>* stop) try {
+CheckError undetermined_inertia(const std::string& name) {
+  return {name,
+          "its motion does not determine the ratios of the moments: it hardly differs from a "
+          "steady spin or from its noise, or the principal axes are not those of the rates",
+          CheckError::Reason::no_inertia};
+}
+
+constexpr std::size_t most_rows_of_inertia = 2048;
+
+/// At most so many rows, spread evenly over the given ones, so that the fit of an inertia takes
+/// little time even if it converges slowly, as for a motion that is not free.
+std::vector<Row> spread_over(std::span<const Row> rows) {
+  recording::ThinnedRows spread(most_rows_of_inertia);
+  for (const Row& row : rows) spread.add(row);
+  return spread.rows();
+}
+
+/// Fits the first numbers of the change of an inertia to the first rows, then to rows spread over
+/// all.
+Fit fit_with_inertia(const std::string& name, const Matrix3d& inertia, std::span<const Row> rows,
+                     std::size_t count, Eigen::Index numbers, const std::atomic<bool>* stop) {
   const Vector3d omega = rows.front().omega;
   const Reference reference{{inertia, omega}, rows.front().t};
-  return fitted_from(name, reference, rows, count, {1 / omega.norm(), 0, numbers}, stop);
-} catch (const CheckError& error) {
-  if (error.reason() != CheckError::Reason::no_inertia) throw;
-  return std::nullopt;
+  const Weights weights{1 / omega.norm(), 0, numbers};
+  const auto first = rows.first(std::min(rows.size(), most_rows_of_inertia));
+  const Fit found = fitted_from(name, reference, first, count, weights, stop);
+  if (first.size() == rows.size()) return found;
+  const std::vector<Row> spread = spread_over(rows);
+  const std::size_t fitted = first.size() * spread.size() / rows.size();
+  return fitted_from(name, found.reference, spread, fitted, weights, stop);
 }
 
 /// The root mean square of the changes of the rates, component by component.
@@ -324,18 +340,23 @@ FittedInertia fit_inertia(const std::string& name, std::span<const Row> rows,
   for (; count < rows.size() && (turned < enough || count < least_rows); ++count)
     turned += rows[count].omega.norm() * (rows[count].t - rows[count - 1].t);
   if (count < least_rows || turned == 0) throw undetermined_inertia(name);
+  if (rows.front().omega.norm() == 0) {
+    throw CheckError(name, "its first row is at rest, but a body at rest stays so in free motion",
+                     CheckError::Reason::no_inertia);
+  }
   const auto [of_own_axes, of_any_axes] = estimated_inertia(rows);
-  const auto of_moments = fit_with_inertia(name, of_own_axes, rows, count, 2, stop);
-  const auto of_matrix = fit_with_inertia(name, of_any_axes, rows, count, 5, stop);
-  if (!of_moments && !of_matrix) throw undetermined_inertia(name);
-  // The fit with more numbers is preferred only if its residual is clearly smaller.
-  constexpr double clearly = 20;
-  const double less = std::exp(-clearly / static_cast<double>(6 * rows.size()));
+  const Fit of_moments = fit_with_inertia(name, of_own_axes, rows, count, 2, stop);
+  const Fit of_matrix = fit_with_inertia(name, of_any_axes, rows, count, 5, stop);
+  // The fit with more numbers is preferred only if its residual is clearly smaller. If it does not
+  // determine them and its residual is far smaller, the axes are others, but unknown.
+  constexpr double clearly = 20, far = 0.5;
+  const double less = std::exp(-clearly / static_cast<double>(6 * of_matrix.rows));
   const bool are_axes_others =
-      !of_moments || (of_matrix && *of_matrix->rate_residual < less * *of_moments->rate_residual);
-  const Fit& best = are_axes_others ? *of_matrix : *of_moments;
-  const bool is_steady = !(*best.rate_residual < less * change_of_rates_in(rows));
-  if (is_steady) throw undetermined_inertia(name);
+      !of_moments.inertia ||
+      *of_matrix.rate_residual < (of_matrix.inertia ? less : far) * *of_moments.rate_residual;
+  const Fit& best = are_axes_others ? of_matrix : of_moments;
+  const bool is_steady = !(*best.rate_residual < less * change_of_rates_in(spread_over(rows)));
+  if (is_steady || !best.inertia) throw undetermined_inertia(name);
   return *best.inertia;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace twrench::check {
 namespace {
@@ -17,6 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Equations = Eigen::Matrix<double, 3, 6>;
 
 /// The symmetric matrix with these entries: xx, yy, zz, xy, xz, yz.
 Matrix3d symmetric(const Vector6d& entries) {
@@ -27,49 +29,77 @@ Matrix3d symmetric(const Vector6d& entries) {
   return matrix;
 }
 
-/// The rate of change of I w - L0 in body axes for each entry of I: w x (I w).
-Eigen::Matrix<double, 3, 6> gyroscopic_terms(const Vector3d& omega) {
-  Eigen::Matrix<double, 3, 6> terms;
-  for (int k = 0; k < 6; ++k) terms.col(k) = omega.cross(symmetric(Vector6d::Unit(k)) * omega);
+/// The symmetric matrices of length 1 that add up to an inertia matrix.
+Matrix3d unit_matrix(int k) { return symmetric(Vector6d::Unit(k)).normalized(); }
+
+Matrix3d sum_of(const Vector6d& parts) {
+  Matrix3d sum = Matrix3d::Zero();
+  for (int k = 0; k < 6; ++k) sum += parts[k] * unit_matrix(k);
+  return sum;
+}
+
+/// I w for each unit matrix.
+Equations momentum_terms(const Vector3d& omega) {
+  Equations terms;
+  for (int k = 0; k < 6; ++k) terms.col(k) = unit_matrix(k) * omega;
   return terms;
 }
 
-/// The matrix, or its negative, with eigenvalues that are positive and not too far apart.
-Matrix3d made_positive(Matrix3d matrix) {
-  if (matrix.trace() < 0) matrix = -matrix;
-  constexpr double least = 0.05;  // of the largest
+/// w x (I w) for each unit matrix.
+Equations gyroscopic_terms(const Vector3d& omega) {
+  Equations terms = momentum_terms(omega);
+  for (int k = 0; k < 6; ++k) terms.col(k) = omega.cross(Vector3d(terms.col(k)));
+  return terms;
+}
+
+/// The matrix with eigenvalues of at least so many times the largest.
+Matrix3d with_least(double least, const Matrix3d& matrix) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(matrix);
   const Vector3d& values = solver.eigenvalues();
-  const Vector3d kept = values.cwiseMax(least * values.maxCoeff());
+  if (values[0] >= least * values[2]) return matrix;
+  const Vector3d kept = values.cwiseMax(least * values[2]);
   return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-/// The squares of I (w_b - w_a) - integral of (I w) x w, summed over pairs of rows that are about
-/// half a radian apart, as a quadratic form of the entries of I.
+/// The squares of the changes of I w + the integral of w x (I w), summed over parts in which the
+/// body turns by several radians, as a quadratic form of the entries of I. In a free motion, the
+/// sum is constant. The longer the parts, the less the noise of the rates matters, and the more the
+/// errors of the integral.
 Matrix6d sum_of_squares(std::span<const Row> rows) {
-  double turned = 0;
-  for (std::size_t i = 1; i < rows.size(); ++i)
-    turned += rows[i].omega.norm() * (rows[i].t - rows[i - 1].t);
-  constexpr double apart = 0.5;  // rad
-  const double turn = turned / static_cast<double>(rows.size() - 1);
-  const auto stride = static_cast<std::size_t>(std::clamp(
-      apart / turn, 1.0, static_cast<double>(std::max<std::size_t>(1, rows.size() / 4))));
+  constexpr double most_turned = 8;  // rad
   Matrix6d squares = Matrix6d::Zero();
-  for (std::size_t first = 0; first + stride < rows.size();
-       first += std::max<std::size_t>(1, stride / 4)) {
-    Eigen::Matrix<double, 3, 6> equations;
-    for (int k = 0; k < 6; ++k) {
-      equations.col(k) =
-          symmetric(Vector6d::Unit(k)) * (rows[first + stride].omega - rows[first].omega);
+  for (std::size_t i = 0; i < rows.size();) {
+    Equations integral = Equations::Zero(), sum = Equations::Zero();
+    double count = 0, turned = 0;
+    for (; i < rows.size() && turned < most_turned; ++i) {
+      if (count > 0) {
+        const double interval = rows[i].t - rows[i - 1].t;
+        turned += interval * rows[i].omega.norm();
+        integral +=
+            interval / 2 * (gyroscopic_terms(rows[i - 1].omega) + gyroscopic_terms(rows[i].omega));
+      }
+      const Equations equations = momentum_terms(rows[i].omega) + integral;
+      squares += equations.transpose() * equations;
+      sum += equations;
+      ++count;
     }
-    for (std::size_t i = first; i < first + stride; ++i) {
-      const double interval = rows[i + 1].t - rows[i].t;
-      equations +=
-          interval / 2 * (gyroscopic_terms(rows[i].omega) + gyroscopic_terms(rows[i + 1].omega));
-    }
-    squares += equations.transpose() * equations;
+    squares -= sum.transpose() * sum / count;
   }
   return squares;
+}
+
+/// The entries with the least sum of squares among those with a given trace, up to their size.
+template <int n>
+Eigen::Vector<double, n> least_with_trace(const Eigen::Matrix<double, n, n>& squares) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, n, n>> solver(squares);
+  constexpr double round_off = 1e-14;
+  const double least =
+      std::max(round_off * solver.eigenvalues()[n - 1], std::numeric_limits<double>::min());
+  Eigen::Vector<double, n> trace = Eigen::Vector<double, n>::Zero();
+  trace.template head<3>().setOnes();
+  const Eigen::Vector<double, n> parts = (solver.eigenvectors().transpose() * trace)
+                                             .cwiseQuotient(solver.eigenvalues().cwiseMax(least));
+  return solver.eigenvectors() * parts.stableNormalized();
 }
 
 }  // namespace
@@ -84,7 +114,7 @@ Matrix3d changed_inertia(const Matrix3d& inertia, const InertiaChange& change) {
   const Matrix3d grown =
       solver.eigenvectors() * growth.asDiagonal() * solver.eigenvectors().transpose();
   const Matrix3d changed = root * grown * root.transpose();
-  return (changed + changed.transpose()) / 2;
+  return with_least(1 / most_ratio_of_moments, (changed + changed.transpose()) / 2);
 }
 
 FittedInertia fitted_inertia(const Matrix3d& inertia,
@@ -107,10 +137,10 @@ FittedInertia fitted_inertia(const Matrix3d& inertia,
 
 EstimatedInertia estimated_inertia(std::span<const Row> rows) {
   const Matrix6d squares = sum_of_squares(rows);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> diagonal(Matrix3d(squares.topLeftCorner<3, 3>()));
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> symmetrical(squares);
-  return {made_positive(diagonal.eigenvectors().col(0).asDiagonal()),
-          made_positive(symmetric(symmetrical.eigenvectors().col(0)))};
+  const Vector3d moments = least_with_trace<3>(squares.topLeftCorner<3, 3>());
+  constexpr double least = 0.05;
+  return {with_least(least, moments.asDiagonal()),
+          with_least(least, sum_of(least_with_trace<6>(squares)))};
 }
 
 }  // namespace twrench::check

@@ -11,7 +11,12 @@ namespace twrench::check {
 /// its size: 0 for none.
 using InertiaChange = Eigen::Matrix<double, 5, 1>;
 
-/// Returns the inertia matrix after the change, which leaves it positive definite.
+/// Of the greatest to the least principal moment that a fit considers: more than any rod's. It
+/// keeps matrices positive definite after many changes.
+inline constexpr double most_ratio_of_moments = 1e4;
+
+/// Returns the inertia matrix after the change, which leaves it positive definite: the least
+/// principal moment is raised if the ratio becomes too large.
 Eigen::Matrix3d changed_inertia(const Eigen::Matrix3d& inertia, const InertiaChange& change);
 
 /// An inertia matrix that was fitted to a free motion, up to its size.
@@ -27,8 +32,8 @@ struct FittedInertia {
 FittedInertia fitted_inertia(const Eigen::Matrix3d& inertia,
                              const Eigen::Matrix<double, 5, 5>& covariance);
 
-/// Inertia matrices with which I (w_b - w_a) is about the integral of (I w) x w from a to b, for
-/// pairs of rows that are about half a radian apart: the starts of fits.
+/// Inertia matrices with which I w + the integral of w x (I w) is about constant: the starts of
+/// fits.
 struct EstimatedInertia {
   Eigen::Matrix3d of_own_axes;  ///< of a body whose principal axes are those of the rows
   Eigen::Matrix3d of_any_axes;
