@@ -260,7 +260,8 @@ MotionOfRows motion_of_rows(const Recording& recording, const Convention& conven
           .has_attitude = has_attitude,
           .gaps = parts.size() - 1,
           .drift = drift,
-          .noise = noise};
+          .noise = noise,
+          .left_out = recording.left_out()};
 }
 
 }  // namespace twrench::recording

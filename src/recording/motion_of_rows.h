@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "motion/recorded_motion.h"
 #include "recording/conventions/convention.h"
@@ -36,6 +37,8 @@ struct MotionOfRows {
   /// Estimated error of the last attitude in rad, if the attitudes are integrals of the rates.
   double drift = 0;
   RowNoise noise = {};
+  /// The rows that are left out because they lack a number; empty if there are none.
+  std::string left_out = {};
 };
 
 /// Reads the rows. With Smoothing, the attitudes and the rates of the rows are replaced by the

@@ -43,6 +43,10 @@ class Recording {
     return part;
   }
 
+  /// Returns the same recording with a table of its own, which another thread may read. Only for a
+  /// file. Throws what table::open_table throws.
+  Recording reopened() const { return Recording(path_).between(extract_); }
+
   const table::Header& header() const { return table_->header(); }
   /// The path of the file, or the name that messages give to a table in memory.
   const std::string& name() const { return header().file; }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -182,7 +183,7 @@ void show_unknown_body(scene::Scene& scene, const std::string& name) {
   scene.name = std::filesystem::path(name).stem().string();
 }
 
-/// The convention of a recording that no free motion was fitted to.
+/// The convention in which a recording is shown and compared.
 recording::Convention chosen(const scene::Scene& scene, const Recording& recording,
                              const recording::Convention& given, Body body) {
   std::optional<check::Problem> problem;
@@ -258,8 +259,8 @@ std::vector<std::string> notes_on(const recording::MotionOfRows& shown, const Re
                                   recording::Smoothing smoothing) {
   const std::string& file = recording.name();
   std::vector<std::string> notes;
-  if (const std::string rows = recording.left_out(); !rows.empty()) {
-    notes.push_back(fmt::format("left out: {}, where numbers are missing", rows));
+  if (!shown.left_out.empty()) {
+    notes.push_back(fmt::format("left out: {}, where numbers are missing", shown.left_out));
   }
   if (!shown.has_attitude) {
     notes.push_back(fmt::format(
@@ -292,23 +293,39 @@ void set_start(scene::Motion& motion, const std::optional<check::CheckedFile>& f
   motion.attitude = X.normalized();
 }
 
+/// Reads the rows of a file on another thread, if one can be started, while it is compared with the
+/// free motion.
+std::future<recording::MotionOfRows> read_rows(const Recording& recording,
+                                               const recording::Convention& convention,
+                                               const Eigen::Quaterniond& start,
+                                               recording::Smoothing smoothing) {
+  if (recording.path().empty()) {
+    return std::async(std::launch::deferred, [=] {
+      return recording::motion_of_rows(recording, convention, start, smoothing);
+    });
+  }
+  return std::async([=, file = recording.reopened()] {
+    return recording::motion_of_rows(file, convention, start, smoothing);
+  });
+}
+
 /// Sets Motion::recording and the initial condition.
 void play(scene::Scene& scene, const Recording& recording, const recording::Convention& given,
           Body body, recording::Smoothing smoothing) {
   const std::string& name = recording.name();
   require_one_motion(scene, name);
-  std::optional<check::CheckedFile> file;
   switch (body) {
     case Body::known:
-      file = judged(scene, recording, given);
       break;
     case Body::unknown:
       show_unknown_body(scene, name);
       break;
   }
-  recording::MotionOfRows shown = recording::motion_of_rows(
-      recording, file ? file->judgement.convention : chosen(scene, recording, given, body),
-      scene.motion.attitude.value_or(Eigen::Quaterniond::Identity()), smoothing);
+  const auto start = scene.motion.attitude.value_or(Eigen::Quaterniond::Identity());
+  auto rows = read_rows(recording, chosen(scene, recording, given, body), start, smoothing);
+  std::optional<check::CheckedFile> file;
+  if (body == Body::known) file = judged(scene, recording, given);
+  recording::MotionOfRows shown = rows.get();
   set_start(scene.motion, file, shown.motion, shown.has_attitude);
 
   std::vector<std::string> notes = notes_on(shown, recording, smoothing);
